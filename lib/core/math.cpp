@@ -1,0 +1,212 @@
+#include "lib/core/math.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace tristim::detail {
+namespace {
+
+using Dd = DoubleDouble;
+
+constexpr Dd quick_two_sum(double a, double b) noexcept {  // |a| >= |b|
+  const double s = a + b;
+  return {s, b - (s - a)};
+}
+
+constexpr Dd two_sum(double a, double b) noexcept {
+  const double s = a + b;
+  const double v = s - a;
+  return {s, (a - (s - v)) + (b - v)};
+}
+
+// Exact product by Dekker's splitting [Dekker71]: std::fma may be slow, or a call into the C
+// library.
+constexpr Dd two_product(double a, double b) noexcept {
+  constexpr double kSplitter = 134217729;  // 2^27 + 1
+  const double p = a * b;
+  const double ca = kSplitter * a;
+  const double ah = ca - (ca - a);
+  const double al = a - ah;
+  const double cb = kSplitter * b;
+  const double bh = cb - (cb - b);
+  const double bl = b - bh;
+  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+}
+
+constexpr Dd add(Dd a, Dd b) noexcept {
+  const Dd s = two_sum(a.hi, b.hi);
+  const Dd t = two_sum(a.lo, b.lo);
+  const Dd u = quick_two_sum(s.hi, s.lo + t.hi);
+  return quick_two_sum(u.hi, u.lo + t.lo);
+}
+
+constexpr Dd multiply(Dd a, Dd b) noexcept {
+  Dd p = two_product(a.hi, b.hi);
+  p.lo += a.hi * b.lo + a.lo * b.hi;
+  return quick_two_sum(p.hi, p.lo);
+}
+
+constexpr Dd multiply(Dd a, double b) noexcept {
+  Dd p = two_product(a.hi, b);
+  p.lo += a.lo * b;
+  return quick_two_sum(p.hi, p.lo);
+}
+
+Dd divide(Dd a, Dd b) noexcept {
+  const double q1 = a.hi / b.hi;
+  Dd r = add(a, multiply(b, -q1));
+  const double q2 = r.hi / b.hi;
+  r = add(r, multiply(b, -q2));
+  const double q3 = r.hi / b.hi;
+  return add(quick_two_sum(q1, q2), {q3, 0});
+}
+
+// 1/1, 1/2, ... 1/N: the series' coefficients, so that no division is left in them.
+template <int N>
+constexpr std::array<Dd, N + 1> reciprocals() noexcept {
+  std::array<Dd, N + 1> table{};
+  for (int n = 1; n <= N; ++n) {
+    const double hi = 1.0 / n;
+    const Dd back = two_product(hi, n);
+    table[static_cast<std::size_t>(n)] = {hi, ((1 - back.hi) - back.lo) / n};
+  }
+  return table;
+}
+constexpr auto kReciprocal = reciprocals<91>();
+
+constexpr Dd kLn2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+constexpr Dd kInverseLn2{0x1.71547652b82fep+0, 0x1.777d0ffda0d24p-56};
+
+// ln(m/c) = 2 atanh((m-c)/(m+c)); `terms` of the series in s^2.
+Dd log_ratio(double m, double c, int terms) noexcept {
+  const Dd s = divide({m - c, 0}, two_sum(m, c));  // m - c is exact: they are within a factor of 2
+  const Dd s2 = multiply(s, s);
+  Dd sum{0, 0};
+  for (int k = terms; k >= 1; --k) {
+    sum = multiply(add(sum, kReciprocal[static_cast<std::size_t>(2 * k + 1)]), s2);
+  }
+  return multiply(multiply(s, add({1, 0}, sum)), 2);
+}
+
+constexpr int kFirstNode = 22;  // nodes k/32 around [sqrt(1/2), sqrt(2)]
+constexpr int kNodes = 25;
+
+std::array<Dd, kNodes> log_nodes() noexcept {
+  std::array<Dd, kNodes> nodes{};
+  for (int i = 0; i < kNodes; ++i) {
+    nodes[static_cast<std::size_t>(i)] = log_ratio((kFirstNode + i) / 32.0, 1, 45);
+  }
+  return nodes;
+}
+
+// ln of a finite x > 0, as exponent * ln 2 + the rest.
+struct Logarithm {
+  int exponent;
+  Dd rest;
+};
+
+Logarithm log_parts(double x) noexcept {
+  static const std::array<Dd, kNodes> nodes = log_nodes();
+  int exponent = 0;
+  double m = std::frexp(x, &exponent);  // [1/2, 1)
+  if (m < 0x1.6a09e667f3bcdp-1) {
+    m *= 2;
+    --exponent;
+  }
+  const int node = static_cast<int>(m * 32 + 0.5);
+  const Dd rest = log_ratio(m, node / 32.0, 8);
+  return {exponent, add(nodes[static_cast<std::size_t>(node - kFirstNode)], rest)};
+}
+
+// 2^y for |y| < 1100, rounded once.
+double exp2_precise(Dd y) noexcept {
+  const double n = std::nearbyint(y.hi);
+  Dd r = multiply(add(y, {-n, 0}), kLn2);
+  constexpr int kHalvings = 5;
+  r = {r.hi / (1 << kHalvings), r.lo / (1 << kHalvings)};
+  Dd sum{1, 0};
+  for (std::size_t k = 14; k >= 1; --k)
+    sum = add({1, 0}, multiply(multiply(r, sum), kReciprocal[k]));
+  for (int k = 0; k < kHalvings; ++k) sum = multiply(sum, sum);
+  return std::ldexp(sum.hi + sum.lo, static_cast<int>(n));
+}
+
+double exp2_of(Dd y) noexcept {
+  if (y.hi >= 1025) return std::numeric_limits<double>::infinity();
+  if (y.hi <= -1080) return 0;
+  return exp2_precise(y);
+}
+
+bool odd_integer(double y) noexcept {
+  return std::fabs(y) < 0x1p53 && y == std::trunc(y) && std::fmod(y, 2) != 0;
+}
+
+double pow_positive(double x, double y) noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (x == 0 || x == kInfinity) return (x == 0) == (y > 0) ? 0 : kInfinity;
+  if (std::fabs(y) == kInfinity) return x == 1 ? 1 : ((x > 1) == (y > 0) ? kInfinity : 0);
+  const Dd log2 = log2_precise(x);
+  if (std::fabs(log2.hi * y) > 1100) return log2.hi * y > 0 ? kInfinity : 0;
+  return exp2_of(multiply(log2, y));
+}
+
+}  // namespace
+
+DoubleDouble log2_precise(double x) noexcept {
+  const Logarithm parts = log_parts(x);
+  return add({double(parts.exponent), 0}, multiply(parts.rest, kInverseLn2));
+}
+
+double pow(double x, double y) noexcept {
+  if (y == 0 || x == 1) return 1;
+  if (std::isnan(x) || std::isnan(y)) return x + y;
+  if (x > 0 || (x == 0 && !std::signbit(x))) return pow_positive(x, y);
+  if (x == 0 || y == std::trunc(y)) {
+    const double magnitude = pow_positive(-x, y);
+    return odd_integer(y) ? -magnitude : magnitude;
+  }
+  if (std::isinf(x)) return y > 0 ? -x : 0;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double cbrt(double x) noexcept {
+  if (x == 0 || !std::isfinite(x)) return x;
+  int exponent = 0;
+  double m = std::frexp(std::fabs(x), &exponent);  // [1/2, 1)
+  const int shift = ((exponent % 3) + 3) % 3;      // make the exponent a multiple of 3
+  if (shift != 0) {
+    m = std::ldexp(m, shift - 3);  // [1/8, 1/2)
+    exponent += 3 - shift;
+  }
+  double t = 0.3536 + m * (1.0136 - m * 0.3717);  // within 3 % on [1/8, 1)
+  for (int i = 0; i < 2; ++i) {
+    const double t3 = t * t * t;
+    t *= (t3 + 2 * m) / (2 * t3 + m);  // Halley: the error's cube
+  }
+  // One Newton step with the residual m - t^3 to twice the precision.
+  const Dd square = two_product(t, t);
+  const Dd cube = multiply(square, t);
+  t += (((m - cube.hi) - cube.lo)) / (3 * square.hi);
+  t = std::ldexp(t, exponent / 3);
+  return x < 0 ? -t : t;
+}
+
+double exp(double x) noexcept {
+  if (std::isnan(x)) return x;
+  if (x > 800) return std::numeric_limits<double>::infinity();
+  if (x < -800) return 0;
+  return exp2_of(multiply(kInverseLn2, x));
+}
+
+double log(double x) noexcept {
+  if (std::isnan(x) || x < 0) return std::numeric_limits<double>::quiet_NaN();
+  if (x == 0) return -std::numeric_limits<double>::infinity();
+  if (std::isinf(x)) return x;
+  const Logarithm parts = log_parts(x);
+  const Dd sum = add(multiply(kLn2, double(parts.exponent)), parts.rest);
+  return sum.hi + sum.lo;
+}
+
+}  // namespace tristim::detail
