@@ -1,0 +1,54 @@
+#include "tristim/color/oklab.h"
+
+#include <Eigen/LU>
+
+#include "lib/core/math.h"
+
+namespace tristim {
+namespace {
+
+// [Ottosson20], the linear sRGB form.
+constexpr double kLmsFromRgb[3][3] = {{0.4122214708, 0.5363325363, 0.0514459929},
+                                      {0.2119034982, 0.6806995451, 0.1073969566},
+                                      {0.0883024619, 0.2817188376, 0.6299787005}};
+constexpr double kLabFromRoots[3][3] = {{0.2104542553, 0.7936177850, -0.0040720468},
+                                        {1.9779984951, -2.4285922050, 0.4505937099},
+                                        {0.0259040371, 0.7827717662, -0.8086757660}};
+
+Eigen::Matrix3d inverse(const double (&m)[3][3]) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&m[0][0]).inverse();
+}
+
+double dot(const double (&row)[3], double x, double y, double z) noexcept {
+  return row[0] * x + row[1] * y + row[2] * z;
+}
+
+// Oklab with `compress` in the place of the cube root.
+template <typename Compress>
+Oklab oklab_by(Compress&& compress, Rgb rgb) noexcept {
+  const double l = compress(dot(kLmsFromRgb[0], rgb.r, rgb.g, rgb.b));
+  const double m = compress(dot(kLmsFromRgb[1], rgb.r, rgb.g, rgb.b));
+  const double s = compress(dot(kLmsFromRgb[2], rgb.r, rgb.g, rgb.b));
+  return {dot(kLabFromRoots[0], l, m, s), dot(kLabFromRoots[1], l, m, s),
+          dot(kLabFromRoots[2], l, m, s)};
+}
+
+}  // namespace
+
+Oklab linear_srgb_to_oklab(Rgb rgb) noexcept { return oklab_by(detail::cbrt, rgb); }
+
+Oklab linear_srgb_to_oklab_with_toe(Rgb rgb, double toe) noexcept {
+  const double root = detail::cbrt(toe);
+  const double slope = 1 / (3 * root * root);
+  return oklab_by([&](double x) { return x > 0 ? detail::cbrt(x + toe) - root : slope * x; }, rgb);
+}
+
+Rgb oklab_to_linear_srgb(Oklab oklab) noexcept {
+  static const Eigen::Matrix3d roots_from_lab = inverse(kLabFromRoots);
+  static const Eigen::Matrix3d rgb_from_lms = inverse(kLmsFromRgb);
+  const Eigen::Vector3d roots = roots_from_lab * Eigen::Vector3d(oklab.l, oklab.a, oklab.b);
+  const Eigen::Vector3d rgb = rgb_from_lms * roots.cwiseProduct(roots).cwiseProduct(roots);
+  return {rgb.x(), rgb.y(), rgb.z()};
+}
+
+}  // namespace tristim
