@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "tristim/color/rgb.h"
+
+namespace tristim {
+
+/// A space in which the distance of two colours is measured.
+struct Metric {
+  std::string_view name;
+  std::array<float, 3> (*place)(Rgb linear_srgb) noexcept;
+  std::string_view source;
+};
+
+std::array<float, 3> oklab_place(Rgb linear_srgb) noexcept;
+/// Oklab with a toe: without the infinite slope at black, at which a diffused error flips between
+/// entries. For choosing while dithering, where colours go below black.
+std::array<float, 3> oklab_toe_place(Rgb linear_srgb) noexcept;
+std::array<float, 3> lab_place(Rgb linear_srgb) noexcept;
+std::array<float, 3> luv_place(Rgb linear_srgb) noexcept;
+std::array<float, 3> linear_place(Rgb linear_srgb) noexcept;
+std::array<float, 3> encoded_place(Rgb linear_srgb) noexcept;  // of [0, 1]; clipped beyond
+
+/// Every metric; the first is the default. The command line, the docs and the tests read this list.
+inline constexpr std::array kMetrics{
+    Metric{"oklab", oklab_place, "[Ottosson20]"}, Metric{"lab", lab_place, "[CIE15 8.2.1]"},
+    Metric{"luv", luv_place, "[CIE15 8.2.2]"}, Metric{"linear", linear_place, "linear sRGB"},
+    Metric{"encoded", encoded_place, "[IEC61966]"}};
+
+}  // namespace tristim

@@ -1,0 +1,57 @@
+#include "tristim/palette/metric.h"
+
+#include "lib/color/curve_table.h"
+#include "tristim/color/lab.h"
+#include "tristim/color/oklab.h"
+#include "tristim/color/primaries.h"
+
+namespace tristim {
+namespace {
+
+// Light at which the cube root gives way. Diffused to seven inks: none or 0.002 leaves streaks in
+// the shadows, 0.02 none, and the mean CIEDE2000 of the demo's picture falls from 20.4 to 19.7.
+constexpr double kToe = 0.02;
+
+std::array<float, 3> floats(double a, double b, double c) noexcept {
+  return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)};
+}
+
+Xyz srgb_xyz(Rgb rgb) noexcept {
+  static const Eigen::Matrix3d matrix = xyz_from_rgb(Primaries{});
+  const Eigen::Vector3d xyz = matrix * Eigen::Vector3d(rgb.r, rgb.g, rgb.b);
+  return {xyz.x(), xyz.y(), xyz.z()};
+}
+
+}  // namespace
+
+std::array<float, 3> oklab_place(Rgb linear_srgb) noexcept {
+  const Oklab c = linear_srgb_to_oklab(linear_srgb);
+  return floats(c.l, c.a, c.b);
+}
+
+std::array<float, 3> oklab_toe_place(Rgb linear_srgb) noexcept {
+  const Oklab c = linear_srgb_to_oklab_with_toe(linear_srgb, kToe);
+  return floats(c.l, c.a, c.b);
+}
+
+std::array<float, 3> lab_place(Rgb linear_srgb) noexcept {
+  const Lab c = xyz_to_lab(srgb_xyz(linear_srgb), white_xyz(kD65));
+  return floats(c.l, c.a, c.b);
+}
+
+std::array<float, 3> luv_place(Rgb linear_srgb) noexcept {
+  const Luv c = xyz_to_luv(srgb_xyz(linear_srgb), white_xyz(kD65));
+  return floats(c.l, c.u, c.v);
+}
+
+std::array<float, 3> linear_place(Rgb linear_srgb) noexcept {
+  return floats(linear_srgb.r, linear_srgb.g, linear_srgb.b);
+}
+
+std::array<float, 3> encoded_place(Rgb linear_srgb) noexcept {
+  const detail::CurveTable& encode = detail::srgb_encode_table();
+  return {encode(static_cast<float>(linear_srgb.r)), encode(static_cast<float>(linear_srgb.g)),
+          encode(static_cast<float>(linear_srgb.b))};
+}
+
+}  // namespace tristim
