@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tristim/dither/error_rows.h"
+#include "tristim/dither/levels.h"
+#include "tristim/dither/threshold_matrix.h"
+#include "tristim/palette/hull.h"
+#include "tristim/palette/nearest.h"
+
+namespace tristim {
+
+/// In which numbers colours are mixed and errors counted.
+enum class Mix {
+  kLight,    ///< linear light: what the eye averages
+  kEncoded,  ///< numbers behind the sRGB curve, as most programs do it: mid greys come out too
+             ///< bright
+};
+
+struct NamedMix {
+  std::string_view name;
+  Mix mix;
+};
+inline constexpr NamedMix kMixes[] = {{"light", Mix::kLight}, {"encoded", Mix::kEncoded}};
+
+/// A palette to reduce to: chosen in a metric, mixed in light or in encoded numbers.
+class MixPalette {
+ public:
+  /// `palette` in linear sRGB, 1 to 65536 entries.
+  MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix mix);
+
+  using Color = std::array<float, 3>;
+
+  /// Linear sRGB, clipped to [0, 1], in the numbers of the mix, inside what the palette can mix.
+  Color from_light(const float* rgb) const noexcept;
+
+  /// The nearest entry of a colour given in the numbers of the mix.
+  int nearest(const Color& color) const noexcept;
+
+  const Color& entry(int index) const noexcept { return entries_[static_cast<std::size_t>(index)]; }
+  int size() const noexcept { return static_cast<int>(entries_.size()); }
+
+  /// `color` held near the palette: errors of colours that it can mix never reach that bound,
+  /// others must not run away.
+  Color bounded(const Color& color) const noexcept;
+
+  /// Order of the entries by luminance, for ordered dither: position in it.
+  int luminance_rank(int index) const noexcept { return rank_[static_cast<std::size_t>(index)]; }
+
+ private:
+  NearestColor nearest_;
+  Mix mix_;
+  PaletteHull hull_;
+  std::vector<Color> entries_;
+  std::vector<int> rank_;
+  Color low_{}, high_{};
+};
+
+/// The nearest entry of each pixel.
+void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
+                         std::span<std::uint16_t> indices) noexcept;
+
+/// Ordered dither to any palette by a plan of entries whose mean is the colour: each is the nearest
+/// to what the ones before it still owe; sorted by luminance, the matrix's rank picks one
+/// [Knoll08]. Row `y` of the picture.
+void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matrix, int y,
+                         std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept;
+
+/// Error diffusion to a palette [FloydSteinberg76]: the nearest entry in the metric, the error in
+/// the numbers of the mix. Colours that the palette cannot mix are moved inside its hull first.
+/// Rows must come in order.
+class PaletteDiffusion {
+ public:
+  PaletteDiffusion(const MixPalette& palette, int width, const DiffusionOptions& options);
+  void row(std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept;
+
+ private:
+  const MixPalette* palette_;  // outlives this
+  DiffusionOptions options_;
+  int width_;
+  int y_ = 0;
+  ErrorRows errors_;
+};
+
+}  // namespace tristim

@@ -1,0 +1,148 @@
+#include "tristim/dither/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+
+#include "lib/color/curve_table.h"
+
+namespace tristim {
+namespace {
+
+using Color = MixPalette::Color;
+
+// How far errors may push a colour beyond the palette, in its ranges. Errors of mixable colours
+// reach 1.5 (a palette chosen in Oklab takes white at an eighth of its light); at .5 a grey of
+// seven inks came out yellow.
+constexpr float kSlack = 2;
+
+constexpr int kPlanLength =
+    16;  // entries of a plan: 64 gains nothing that the eye sees at 7 to 16 colours
+
+float luminance(const Rgb& c) {
+  return static_cast<float>(0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b);
+}
+
+Color clipped(const float* rgb) noexcept {
+  return {std::clamp(rgb[0], 0.0F, 1.0F), std::clamp(rgb[1], 0.0F, 1.0F),
+          std::clamp(rgb[2], 0.0F, 1.0F)};
+}
+
+Color encoded(const Color& c) noexcept {
+  const detail::CurveTable& encode = detail::srgb_encode_table();
+  return {encode(c[0]), encode(c[1]), encode(c[2])};
+}
+
+using Plan = std::array<int, kPlanLength>;
+
+Plan mixing_plan(const MixPalette& palette, const Color& color) noexcept {
+  Plan plan{};
+  Color owed = color;
+  for (int& index : plan) {
+    index = palette.nearest(palette.bounded(owed));
+    const Color& got = palette.entry(index);
+    for (std::size_t c = 0; c < 3; ++c) owed[c] += color[c] - got[c];
+  }
+  std::sort(plan.begin(), plan.end(),
+            [&](int a, int b) { return palette.luminance_rank(a) < palette.luminance_rank(b); });
+  return plan;
+}
+
+}  // namespace
+
+MixPalette::MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix mix)
+    : nearest_(palette, metric), mix_(mix), hull_({}), rank_(palette.size()) {
+  for (const Rgb& c : palette) {
+    Color entry{static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+    if (mix == Mix::kEncoded) entry = encoded(entry);
+    entries_.push_back(entry);
+  }
+  low_ = high_ = entries_.front();
+  for (const Color& entry : entries_) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      low_[c] = std::min(low_[c], entry[c]);
+      high_[c] = std::max(high_[c], entry[c]);
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float slack = (high_[c] - low_[c]) * kSlack;
+    low_[c] -= slack;
+    high_[c] += slack;
+  }
+  hull_ = PaletteHull(entries_);
+  std::vector<std::size_t> order(palette.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return luminance(palette[a]) < luminance(palette[b]);
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) rank_[order[i]] = static_cast<int>(i);
+}
+
+Color MixPalette::from_light(const float* rgb) const noexcept {
+  const Color light = clipped(rgb);
+  return hull_.inside(mix_ == Mix::kEncoded ? encoded(light) : light);
+}
+
+int MixPalette::nearest(const Color& color) const noexcept {
+  if (mix_ == Mix::kLight) return nearest_.find({color[0], color[1], color[2]});
+  const detail::CurveTable& decode = detail::srgb_decode_table();
+  return nearest_.find({decode(color[0]), decode(color[1]), decode(color[2])});
+}
+
+Color MixPalette::bounded(const Color& color) const noexcept {
+  Color held{};
+  for (std::size_t c = 0; c < 3; ++c) held[c] = std::clamp(color[c], low_[c], high_[c]);
+  return held;
+}
+
+void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
+                         std::span<std::uint16_t> indices) noexcept {
+  for (std::size_t x = 0; x < indices.size(); ++x) {
+    indices[x] = static_cast<std::uint16_t>(palette.nearest(palette.from_light(&rgb[3 * x])));
+  }
+}
+
+void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matrix, int y,
+                         std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept {
+  const auto size = static_cast<std::size_t>(matrix.size);
+  const std::size_t row = static_cast<std::size_t>(y) % size * size;
+  Color planned{-1, -1, -1};  // no colour of a picture
+  Plan plan{};
+  for (std::size_t x = 0; x < indices.size(); ++x) {
+    const Color color = palette.from_light(&rgb[3 * x]);
+    if (color != planned) {
+      plan = mixing_plan(palette, color);
+      planned = color;
+    }
+    const std::size_t at = matrix.rank[row + x % size] * plan.size() / matrix.rank.size();
+    indices[x] = static_cast<std::uint16_t>(plan[at]);
+  }
+}
+
+PaletteDiffusion::PaletteDiffusion(const MixPalette& palette, int width,
+                                   const DiffusionOptions& options)
+    : palette_(&palette), options_(options), width_(width), errors_(*options.kernel, width, 3) {}
+
+void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept {
+  const bool reversed = options_.serpentine && y_ % 2 == 1;
+  const int direction = reversed ? -1 : 1;
+  for (int i = 0; i < width_; ++i) {
+    const int x = reversed ? width_ - 1 - i : i;
+    const auto at = static_cast<std::size_t>(x);
+    Color color = palette_->from_light(&rgb[3 * at]);
+    for (int c = 0; c < 3; ++c) color[static_cast<std::size_t>(c)] += errors_.received(x, c);
+    color = palette_->bounded(color);
+    const int index = palette_->nearest(color);
+    indices[at] = static_cast<std::uint16_t>(index);
+    const Color& got = palette_->entry(index);
+    for (int c = 0; c < 3; ++c) {
+      const auto channel = static_cast<std::size_t>(c);
+      errors_.spread(x, c, color[channel] - got[channel], direction);
+    }
+  }
+  errors_.next_row();
+  ++y_;
+}
+
+}  // namespace tristim
