@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "tristim/device/display.h"
+#include "tristim/dither/kernel.h"
+#include "tristim/dither/palette.h"
+#include "tristim/dither/threshold_matrix.h"
+#include "tristim/frame/code.h"
+#include "tristim/palette/metric.h"
+#include "tristim/pipeline/stage.h"
+
+namespace tristim {
+
+/// No dither: the nearest code.
+struct NoDither {};
+
+/// What stands between light and codes: nothing, a threshold matrix, or a diffusion kernel.
+using DitherMethod = std::variant<NoDither, MatrixRecipe, DiffusionKernel>;
+
+/// A dither method as the command line names it.
+struct NamedDither {
+  std::string_view name;
+  DitherMethod method;
+  std::string_view source;
+};
+
+/// "none", every matrix, every kernel.
+const std::vector<NamedDither>& dither_methods();
+
+/// What suits a device: none from 8 bits on and for large palettes, the clustered screen for
+/// printers that cannot hold isolated dots, Floyd-Steinberg for the rest.
+const NamedDither& default_dither(const Display& display);
+
+struct ReduceOptions {
+  DitherMethod dither = NoDither{};
+  bool serpentine = false;
+  Metric metric = kMetrics[0];
+  Mix mix = Mix::kLight;
+  BlackPoint black_point = BlackPoint::kRelative;
+};
+
+/// Picture light in the device's primaries to samples of a frame: codes, or positions in the
+/// device's palette.
+class Reducer {
+ public:
+  /// For pictures of `width` pixels. Throws std::invalid_argument for an indexed display without
+  /// palette.
+  Reducer(const Display& display, const ReduceOptions& options, int width);
+  Reducer(Reducer&&) noexcept;
+  ~Reducer();
+
+  /// Samples of a pixel: 3 or 1.
+  int samples() const noexcept;
+
+  /// Whether bands must come one after the other from the picture's top: error diffusion. Otherwise
+  /// reduce() may run on several threads at once, in any order.
+  bool in_order() const noexcept;
+
+  /// `band` (three channels, light; values outside of [0, 1] count as the nearer end) to `codes`,
+  /// of the same size with samples() channels. May use the band as scratch.
+  void reduce(Band band, ImageView<std::uint16_t> codes);
+
+  /// The step in words.
+  std::vector<StepReport> explain() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Samples of a frame back to light through the device model, relative to its white, in linear RGB
+/// of its primaries.
+class Decoder {
+ public:
+  explicit Decoder(const Display& display);
+
+  /// `codes` as a Reducer made them, to `light`, three channels.
+  void decode(ImageView<const std::uint16_t> codes, ImageView<float> light) const;
+
+  /// Light of one sample of channel `channel`; of a palette entry or grey level all three.
+  Rgb light(const std::uint16_t* samples) const noexcept;
+
+ private:
+  int samples_;
+  std::vector<float> channel_[3];
+  std::vector<Rgb> entries_;  // by sample, of palettes and greys
+};
+
+/// What writers need to know of a frame for a display: layout, palette (sRGB appearance), colour
+/// tags.
+FrameInfo frame_info(const Display& display, int width, int height);
+
+}  // namespace tristim

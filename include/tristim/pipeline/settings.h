@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tristim/color/rgb.h"
+#include "tristim/device/display.h"
+#include "tristim/image/fit.h"
+#include "tristim/palette/quantize.h"
+#include "tristim/pipeline/reduce.h"
+#include "tristim/pipeline/stage.h"
+
+namespace tristim {
+
+/// A palette to be chosen for the picture instead of the device's own.
+struct PaletteChoice {
+  const PaletteMethod* method = nullptr;  // nullptr: the device's
+  int colors = 0;                         // 0: as many as the packing holds
+};
+
+/// How a picture is processed for a device; the defaults leave it as it is.
+struct Settings {
+  std::string layer;          // of a file with several; see ReadOptions
+  int width = 0, height = 0;  // 0: the panel's size, else the picture's
+  FitMode fit = FitMode::kContain;
+  ResampleFilter filter = kHermiteFilter;
+  int rotate_deg = 0;
+  EncodedRgb background;  // under transparent pixels and beside a fitted picture
+  double exposure_stops = 0;
+  const ToneOperator* tone = nullptr;  // nullptr: none
+  double tone_white = 0;
+  Adaptation adaptation = Adaptation::kBradford;
+  GamutMethod gamut = GamutMethod::kClip;
+  BlackPoint black_point = BlackPoint::kRelative;
+  const NamedDither* dither = nullptr;  // nullptr: what suits the device
+  bool serpentine = false;
+  PaletteChoice palette;
+  const Metric* metric = nullptr;  // nullptr: oklab, and oklab-toe where the palette is dithered
+  Mix mix = Mix::kLight;
+};
+
+/// Why a value was not taken.
+struct Refusal {
+  std::string wrong;
+  std::string remedy;
+};
+
+/// One setting as the command line, pipeline files and their documentation know it.
+struct Setting {
+  std::string_view name;
+  std::string argument;  // what it takes; empty: true or false, a flag on the command line
+  std::string help;
+  std::optional<Refusal> (*set)(Settings& settings, std::string_view value);
+};
+
+/// Every setting. Options of the command line are "--<name>", keys of a pipeline file "<name>".
+std::span<const Setting> settings_list();
+
+/// Sets from a pipeline file: a TOML table of settings. Throws Error: kSystem for a missing file;
+/// kContent
+/// "<file>:<line>:<column>: ..." for unknown keys and values.
+void read_pipeline_file(const std::string& path, Settings& settings);
+
+}  // namespace tristim

@@ -1,0 +1,121 @@
+#include "tristim/pipeline/chain.h"
+
+#include <algorithm>
+
+#include "tristim/color/transfer.h"
+#include "tristim/core/error.h"
+#include "tristim/core/find.h"
+
+namespace tristim {
+namespace {
+
+// A colour of the command line, encoded sRGB, as light in the picture's primaries.
+Rgb background_light(const EncodedRgb& color, const Primaries& picture) {
+  const Eigen::Vector3d srgb(srgb_decode(color.r), srgb_decode(color.g), srgb_decode(color.b));
+  const Eigen::Vector3d light = rgb_from_rgb(picture, Primaries{}, Adaptation::kBradford) * srgb;
+  return {light.x(), light.y(), light.z()};
+}
+
+// Counts codes instead of writing them.
+class HistogramSink : public CodeSink {
+ public:
+  explicit HistogramSink(Histogram& histogram) : histogram_(histogram) {}
+  void write(ImageView<const std::uint16_t> rows) override { histogram_.add(rows); }
+  void finish() override {}
+
+ private:
+  Histogram& histogram_;
+};
+
+}  // namespace
+
+std::unique_ptr<RowSource> prepare(std::unique_ptr<RowSource> picture, const Display& display,
+                                   const Settings& settings, OddValues* counts) {
+  const Rgb background = background_light(settings.background, picture->info().primaries);
+  FitOptions options;
+  options.width = settings.width;
+  options.height = settings.height;
+  if (settings.width == 0 && settings.height == 0 && display.panel) {
+    options.width = display.panel->width;
+    options.height = display.panel->height;
+  }
+  options.mode = settings.fit;
+  options.filter = settings.filter;
+  options.background = background;
+  options.rotate_deg = settings.rotate_deg;
+  return fit(flatten(std::move(picture), background, counts), options);
+}
+
+StageList stage_list(const PictureInfo& picture, const Display& display, const Settings& settings) {
+  StageList list;
+  if (settings.exposure_stops != 0) list.stages.emplace_back(Exposure{settings.exposure_stops});
+  if (settings.tone != nullptr) {
+    list.stages.emplace_back(
+        ToneMap{*settings.tone, settings.tone_white, xyz_from_rgb(picture.primaries).row(1)});
+  }
+  list.scene_stages = static_cast<int>(list.stages.size());
+  list.stages.emplace_back(
+      ConvertPrimaries{rgb_from_rgb(display.primaries, picture.primaries, settings.adaptation),
+                       picture.primaries, display.primaries, settings.adaptation});
+  list.stages.emplace_back(GamutMap{
+      settings.gamut, rgb_from_rgb(Primaries{}, display.primaries, Adaptation::kBradford)});
+  return list;
+}
+
+ReduceOptions reduce_options(const Display& display, const Settings& settings) {
+  const NamedDither& dither =
+      settings.dither != nullptr ? *settings.dither : default_dither(display);
+  const bool dithered = !std::holds_alternative<NoDither>(dither.method);
+  const Metric* usual = find_by_name(kMetrics, dithered ? "oklab-toe" : "oklab");
+  return {.dither = dither.method,
+          .serpentine = settings.serpentine,
+          .metric = settings.metric != nullptr ? *settings.metric : *usual,
+          .mix = settings.mix,
+          .black_point = settings.black_point};
+}
+
+Histogram histogram(RowSource& picture, const StageList& stages, const Display& display,
+                    const RunOptions& options) {
+  Display counted;                        // sRGB codes of 8 bits ...
+  counted.primaries = display.primaries;  // ... in the device's primaries
+  Reducer reducer(counted, {}, picture.info().width);
+  Histogram result;
+  HistogramSink sink(result);
+  run(picture, stages.stages, reducer, sink, {}, options);
+  return result;
+}
+
+Display with_palette(Display display, const std::vector<Color8>& palette) {
+  const Eigen::Matrix3d matrix = xyz_from_rgb(display.primaries);
+  display.palette.clear();
+  display.palette_has_white = false;
+  display.viewing_white = display.primaries.white;
+  for (const Color8& c : palette) {
+    const Eigen::Vector3d light(srgb_decode(c.r / 255.0), srgb_decode(c.g / 255.0),
+                                srgb_decode(c.b / 255.0));
+    const Eigen::Vector3d xyz = matrix * light;
+    const auto code = static_cast<std::uint16_t>(display.palette.size());
+    display.palette.push_back({code, {xyz.x(), xyz.y(), xyz.z()}, {}});
+  }
+  return display;
+}
+
+int palette_colors(const Display& display, const PaletteChoice& choice) {
+  const Packing& packing = display.frame.packing;
+  if (!packing.indexed) {
+    throw Error(ErrorKind::kMisuse, "--palette",
+                "packing " + std::string(packing.name) + " has no palette",
+                "choose a device with an indexed packing, or leave --palette out");
+  }
+  const int most = 1 << packing.bits[0];
+  const bool fixed = choice.method != nullptr && !choice.method->needs_histogram;
+  const int wanted = fixed ? 256 : choice.colors;
+  if (wanted > most) {
+    throw Error(ErrorKind::kMisuse, "--palette",
+                std::to_string(wanted) + " colours do not fit packing " + std::string(packing.name),
+                "ask for " + std::to_string(most) + " or less");
+  }
+  return wanted == 0 ? most : wanted;
+}
+
+}  // namespace tristim

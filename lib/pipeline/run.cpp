@@ -1,0 +1,95 @@
+#include "tristim/pipeline/run.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "lib/core/ordered_pipeline.h"
+
+namespace tristim {
+namespace {
+
+// A band on its way: its light, its codes, and the light that observers asked for.
+struct Work {
+  int y0;
+  Image light;
+  Raster<std::uint16_t> codes;
+  std::vector<Image> wanted;  // by observer; empty images where none is wanted
+  StageCounts counts;
+};
+
+Image copy_of(ImageView<const float> view) {
+  Image copy(view.width, view.height, view.channels);
+  for (int y = 0; y < view.height; ++y) std::ranges::copy(view.row(y), copy.view().row(y).begin());
+  return copy;
+}
+
+void keep_wanted(Work& work, std::span<BandObserver* const> observers, int stages_done) {
+  for (std::size_t i = 0; i < observers.size(); ++i) {
+    if (observers[i]->light_after() == stages_done) work.wanted[i] = copy_of(work.light.view());
+  }
+}
+
+}  // namespace
+
+int band_rows(const PictureInfo& info) noexcept {
+  constexpr std::int64_t kBandBytes = 2 << 20;
+  constexpr std::int64_t kMostRows = 256;
+  const std::int64_t row_bytes = std::int64_t{info.width} * 3 * static_cast<int>(sizeof(float));
+  const std::int64_t rows = std::clamp(kBandBytes / row_bytes, std::int64_t{1}, kMostRows);
+  const std::int64_t chunk = std::max(info.chunk_rows, 1);
+  return static_cast<int>(rows >= chunk ? rows / chunk * chunk : rows);
+}
+
+StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reducer, CodeSink& sink,
+                std::span<BandObserver* const> observers, const RunOptions& options) {
+  const PictureInfo& info = source.info();
+  const int rows = options.band_rows > 0 ? options.band_rows : band_rows(info);
+  int next = 0;
+  StageCounts total;
+
+  detail::OrderedSteps steps;
+  steps.produce = [&]() -> void* {
+    if (next == info.height) return nullptr;
+    const int count = std::min(rows, info.height - next);
+    auto work =
+        std::make_unique<Work>(Work{next,
+                                    Image(info.width, count, 3),
+                                    Raster<std::uint16_t>(info.width, count, reducer.samples()),
+                                    std::vector<Image>(observers.size()),
+                                    {}});
+    source.read(work->light.view());
+    next += count;
+    return work.release();
+  };
+  const auto reduce = [&](Work& work) {
+    reducer.reduce({work.light.view(), work.y0}, work.codes.view());
+  };
+  steps.work = [&](void* item) {
+    Work& work = *static_cast<Work*>(item);
+    keep_wanted(work, observers, 0);
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      apply(stages[i], {work.light.view(), work.y0}, work.counts);
+      keep_wanted(work, observers, static_cast<int>(i) + 1);
+    }
+    if (!reducer.in_order()) reduce(work);
+  };
+  steps.settle = [&](void* item) {
+    if (reducer.in_order()) reduce(*static_cast<Work*>(item));
+  };
+  steps.consume = [&](void* item) {
+    Work& work = *static_cast<Work*>(item);
+    const ImageView<const std::uint16_t> codes = work.codes.view();
+    for (std::size_t i = 0; i < observers.size(); ++i) {
+      observers[i]->seen(work.wanted[i].view(), codes);
+    }
+    sink.write(codes);
+    total.out_of_gamut += work.counts.out_of_gamut;
+    total.clipped += work.counts.clipped;
+  };
+  steps.discard = [](void* item) { delete static_cast<Work*>(item); };
+  detail::run_ordered(steps, options.threads);
+  return total;
+}
+
+}  // namespace tristim

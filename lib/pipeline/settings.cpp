@@ -1,0 +1,226 @@
+#include "tristim/pipeline/settings.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "lib/core/toml.h"
+#include "tristim/color/parse.h"
+#include "tristim/core/error.h"
+#include "tristim/core/file.h"
+#include "tristim/core/find.h"
+#include "tristim/core/text.h"
+
+namespace tristim {
+namespace {
+
+using Result = std::optional<Refusal>;
+
+// Names of a list as the argument of an option: "a|b|c".
+template <typename List>
+std::string choices(const List& list) {
+  std::string names;
+  for (const auto& item : list) {
+    if (!names.empty()) names += "|";
+    names += item.name;
+  }
+  return names;
+}
+
+template <typename List>
+Refusal unknown(std::string_view what, const List& list, std::string_view value) {
+  return {"unknown " + std::string(what) + " '" + std::string(value) + "'", name_hint(list, value)};
+}
+
+Refusal not_a(std::string_view what, std::string_view value, std::string_view remedy) {
+  return {"'" + std::string(value) + "' is no " + std::string(what), std::string(remedy)};
+}
+
+constexpr double kMostStops = 64;
+
+Result set_exposure(Settings& settings, std::string_view value) {
+  const auto stops = parse_number(value);
+  if (!stops || !(std::fabs(*stops) <= kMostStops)) {
+    return not_a("exposure", value, "give stops from -64 to 64, such as 1.5 or -2");
+  }
+  settings.exposure_stops = *stops;
+  return {};
+}
+
+Result set_tone_map(Settings& settings, std::string_view value) {
+  if (same_name(value, "none")) {
+    settings.tone = nullptr;
+    return {};
+  }
+  const std::vector<std::string_view> parts = split(value, ':');
+  const ToneOperator* tone = find_by_name(kToneOperators, parts[0]);
+  if (tone == nullptr) {
+    Refusal refusal = unknown("tone map", kToneOperators, parts[0]);
+    if (refusal.remedy.starts_with("use one of")) refusal.remedy += ", none";
+    return refusal;
+  }
+  double white = 0;
+  if (parts.size() > 1) {
+    const auto number = parse_number(parts[1]);
+    if (parts.size() > 2 || !number || !(*number > 0) || !std::isfinite(*number)) {
+      return not_a("tone map", value, "give the luminance that becomes white, as in reinhard:8");
+    }
+    white = *number;
+  }
+  settings.tone = tone;
+  settings.tone_white = white;
+  return {};
+}
+
+Result set_size(Settings& settings, std::string_view value) {
+  const std::size_t x = value.find_first_of("xX");
+  const auto side = [](std::string_view text) -> std::optional<int> {
+    if (text.empty()) return 0;
+    const auto number = parse_integer(text);
+    if (!number || *number < 1 || *number > kMaxFitSide) return std::nullopt;
+    return static_cast<int>(*number);
+  };
+  const bool both = x != std::string_view::npos;
+  const auto width = side(value.substr(0, x));
+  const auto height = both ? side(value.substr(x + 1)) : std::optional<int>(0);
+  if (!width || !height || (*width == 0 && *height == 0)) {
+    return not_a("size", value, "give WIDTHxHEIGHT in pixels, or one of them: 800x480, 800x, x480");
+  }
+  settings.width = *width;
+  settings.height = *height;
+  return {};
+}
+
+Result set_rotate(Settings& settings, std::string_view value) {
+  const auto angle = parse_integer(value);
+  if (!angle || *angle < 0 || *angle > 270 || *angle % 90 != 0) {
+    return not_a("rotation", value, "give 0, 90, 180 or 270 degrees clockwise");
+  }
+  settings.rotate_deg = static_cast<int>(*angle);
+  return {};
+}
+
+Result set_background(Settings& settings, std::string_view value) {
+  const auto color = parse_color(value);
+  if (!color) return not_a("colour", value, color_hint(value));
+  settings.background = *color;
+  return {};
+}
+
+Result set_serpentine(Settings& settings, std::string_view value) {
+  if (value != "true" && value != "false") return not_a("switch", value, "give true or false");
+  settings.serpentine = value == "true";
+  return {};
+}
+
+constexpr int kMostColors = 65536;
+
+Result set_palette(Settings& settings, std::string_view value) {
+  if (same_name(value, "device")) {
+    settings.palette = {};
+    return {};
+  }
+  const std::vector<std::string_view> parts = split(value, ':');
+  const PaletteMethod* method = find_by_name(kPaletteMethods, parts[0]);
+  if (method == nullptr) return unknown("palette", kPaletteMethods, parts[0]);
+  int colors = 0;
+  if (parts.size() > 1) {
+    const auto number = parse_integer(parts[1]);
+    if (parts.size() > 2 || !number || *number < 2 || *number > kMostColors) {
+      return not_a("palette", value, "give the number of colours, 2 or more, as in median-cut:16");
+    }
+    colors = static_cast<int>(*number);
+  }
+  settings.palette = {method, colors};
+  return {};
+}
+
+// A setting that is a member of a list.
+template <typename List, typename Assign>
+Result choose(std::string_view what, const List& list, std::string_view value, Assign&& assign) {
+  const auto* item = find_by_name(list, value);
+  if (item == nullptr) return unknown(what, list, value);
+  assign(*item);
+  return {};
+}
+
+std::vector<Setting> make_settings() {
+  return {
+      {"layer", "NAME", "channels to take: diffuse for diffuse.R G B, or one channel's name",
+       [](Settings& s, std::string_view v) -> Result {
+         s.layer = std::string(v);
+         return {};
+       }},
+      {"size", "WxH", "size of the result; default: the panel's, else the picture's", set_size},
+      {"fit", choices(kFitModes), "how the picture fills that size; default: contain",
+       [](Settings& s, std::string_view v) {
+         return choose("fit", kFitModes, v, [&](const NamedFitMode& m) { s.fit = m.mode; });
+       }},
+      {"filter", choices(kFilters), "resampling filter, in light; default: hermite",
+       [](Settings& s, std::string_view v) {
+         return choose("filter", kFilters, v, [&](const ResampleFilter& f) { s.filter = f; });
+       }},
+      {"rotate", "0|90|180|270", "turn clockwise before fitting", set_rotate},
+      {"background", "COLOUR", "under transparency and beside a fitted picture; default: black",
+       set_background},
+      {"exposure", "STOPS", "multiply light by 2^STOPS", set_exposure},
+      {"tone-map", "none|" + choices(kToneOperators) + "[:WHITE]",
+       "bring highlights into range; WHITE is the luminance that becomes white; default: none",
+       set_tone_map},
+      {"adapt", choices(kAdaptations),
+       "from the picture's white to the device's; default: bradford",
+       [](Settings& s, std::string_view v) {
+         return choose("adaptation", kAdaptations, v,
+                       [&](const AdaptationMethod& m) { s.adaptation = m.method; });
+       }},
+      {"gamut-map", choices(kGamutMethods), "colours outside the device's gamut; default: clip",
+       [](Settings& s, std::string_view v) {
+         return choose("gamut map", kGamutMethods, v,
+                       [&](const NamedGamutMethod& m) { s.gamut = m.method; });
+       }},
+      {"black-point", choices(kBlackPoints),
+       "picture black is the device's black (relative), or no light at all (absolute)",
+       [](Settings& s, std::string_view v) {
+         return choose("black point", kBlackPoints, v,
+                       [&](const NamedBlackPoint& p) { s.black_point = p.point; });
+       }},
+      {"dither", choices(dither_methods()), "default: what suits the device",
+       [](Settings& s, std::string_view v) {
+         return choose("dither", dither_methods(), v, [&](const NamedDither& d) { s.dither = &d; });
+       }},
+      {"serpentine", "", "error diffusion turns round at every row", set_serpentine},
+      {"palette", "device|" + choices(kPaletteMethods) + "[:N]",
+       "choose N colours for the picture, for indexed devices; default: device", set_palette},
+      {"metric", choices(kMetrics),
+       "space in which the nearest colour is chosen; default: oklab, dithered oklab-toe",
+       [](Settings& s, std::string_view v) {
+         return choose("metric", kMetrics, v, [&](const Metric& m) { s.metric = &m; });
+       }},
+      {"mix", choices(kMixes), "dither in light, or in encoded numbers; default: light",
+       [](Settings& s, std::string_view v) {
+         return choose("mix", kMixes, v, [&](const NamedMix& m) { s.mix = m.mix; });
+       }},
+  };
+}
+
+}  // namespace
+
+std::span<const Setting> settings_list() {
+  static const std::vector<Setting> list = make_settings();
+  return list;
+}
+
+void read_pipeline_file(const std::string& path, Settings& settings) {
+  const detail::TomlTable table = detail::TomlTable::parse(read_text_file(path), path);
+  for (const std::string& key : table.keys()) {
+    const Setting* setting = find_by_name(settings_list(), key);
+    if (setting == nullptr) {
+      table.fail(key, "unknown key '" + key + "'", name_hint(settings_list(), key));
+    }
+    if (const auto refusal = setting->set(settings, table.scalar_text(key))) {
+      table.fail(key, refusal->wrong, refusal->remedy);
+    }
+  }
+}
+
+}  // namespace tristim

@@ -1,0 +1,171 @@
+#include "tristim/pipeline/stage.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "lib/core/math.h"
+#include "tristim/color/oklab.h"
+#include "tristim/core/text.h"
+
+namespace tristim {
+namespace {
+
+// Calls `change` on every pixel of a band.
+template <typename Change>
+void each_pixel(Band band, Change&& change) {
+  for (int y = 0; y < band.view.height; ++y) {
+    float* pixel = band.view.row(y).data();
+    for (int x = 0; x < band.view.width; ++x, pixel += 3) change(pixel);
+  }
+}
+
+void apply_stage(const Exposure& stage, Band band, StageCounts&) {
+  const auto gain = static_cast<float>(detail::pow(2, stage.stops));
+  each_pixel(band, [gain](float* p) {
+    for (int c = 0; c < 3; ++c) p[c] *= gain;
+  });
+}
+
+void apply_stage(const ToneMap& stage, Band band, StageCounts&) {
+  const auto white = static_cast<float>(stage.white);
+  const Eigen::RowVector3f weights = stage.luminance.cast<float>();
+  each_pixel(band, [&](float* p) {
+    const float luminance = weights[0] * p[0] + weights[1] * p[1] + weights[2] * p[2];
+    if (!(luminance > 0)) return;
+    const float gain = stage.tone.luminance(luminance, white) / luminance;
+    for (int c = 0; c < 3; ++c) p[c] *= gain;
+  });
+}
+
+void apply_stage(const ConvertPrimaries& stage, Band band, StageCounts&) {
+  if (stage.matrix.isIdentity(0)) return;
+  float m[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) m[i][j] = static_cast<float>(stage.matrix(i, j));
+  }
+  each_pixel(band, [&m](float* p) {
+    const float r = p[0];
+    const float g = p[1];
+    const float b = p[2];
+    for (int i = 0; i < 3; ++i) p[i] = m[i][0] * r + m[i][1] * g + m[i][2] * b;
+  });
+}
+
+bool inside(const Eigen::Vector3d& rgb, double slack) {
+  return rgb.minCoeff() >= -slack && rgb.maxCoeff() <= 1 + slack;
+}
+
+// The largest chroma inside by halving: the neutral axis is inside, and gamuts are nearly
+// star-shaped around it.
+Eigen::Vector3d desaturated(const Eigen::Vector3d& device, const Eigen::Matrix3d& srgb_from_device,
+                            const Eigen::Matrix3d& device_from_srgb) {
+  const Eigen::Vector3d srgb = srgb_from_device * device;
+  const Oklab color = linear_srgb_to_oklab({srgb.x(), srgb.y(), srgb.z()});
+  const double l = std::clamp(color.l, 0.0, 1.0);
+  const auto at = [&](double part) -> Eigen::Vector3d {
+    const Rgb c = oklab_to_linear_srgb({l, color.a * part, color.b * part});
+    return device_from_srgb * Eigen::Vector3d(c.r, c.g, c.b);
+  };
+  constexpr double kSlack = 1e-4;  // below the step of 12 bits; the clip behind takes it away
+  double low = 0;
+  double high = 1;
+  if (inside(at(1), kSlack)) return at(1);
+  for (int i = 0; i < 20; ++i) {
+    const double middle = (low + high) / 2;
+    (inside(at(middle), kSlack) ? low : high) = middle;
+  }
+  return at(low);
+}
+
+void apply_stage(const GamutMap& stage, Band band, StageCounts& counts) {
+  const bool desaturate = stage.method == GamutMethod::kDesaturate;
+  const Eigen::Matrix3d device_from_srgb = stage.srgb_from_device.inverse();
+  std::uint64_t out_of_gamut = 0;
+  std::uint64_t clipped = 0;
+  each_pixel(band, [&](float* p) {
+    // Written so that the rows of an ordinary picture, all inside, stay a loop without jumps.
+    const bool below = std::min({p[0], p[1], p[2]}) < 0;
+    const bool above = std::max({p[0], p[1], p[2]}) > 1;
+    out_of_gamut += below ? 1 : 0;
+    clipped += above ? 1 : 0;
+    if (desaturate && (below || above)) {
+      const Eigen::Vector3d mapped =
+          desaturated({p[0], p[1], p[2]}, stage.srgb_from_device, device_from_srgb);
+      for (int c = 0; c < 3; ++c) p[c] = static_cast<float>(mapped[c]);
+    }
+    for (int c = 0; c < 3; ++c) p[c] = std::min(std::max(p[c], 0.0F), 1.0F);
+  });
+  counts.out_of_gamut += out_of_gamut;
+  counts.clipped += clipped;
+}
+
+std::string row_text(const Eigen::Matrix3d& m, int row) {
+  return shortest(m(row, 0)) + " " + shortest(m(row, 1)) + " " + shortest(m(row, 2));
+}
+
+std::string xy(Chromaticity c) { return shortest(c.x) + " " + shortest(c.y); }
+
+StepReport explain_stage(const Exposure& stage) {
+  return {"exposure",
+          "RGB 2^stops",
+          "",
+          {{"stops", shortest(stage.stops)}, {"factor", shortest(detail::pow(2, stage.stops))}}};
+}
+
+StepReport explain_stage(const ToneMap& stage) {
+  return {"tone map " + std::string(stage.tone.name),
+          std::string(stage.tone.formula),
+          std::string(stage.tone.source),
+          {{"white W", stage.white > 0 ? shortest(stage.white) : "none: Ld = L/(1 + L)"}}};
+}
+
+StepReport explain_stage(const ConvertPrimaries& stage) {
+  std::string_view method;
+  std::string_view source;
+  for (const AdaptationMethod& known : kAdaptations) {
+    if (known.method != stage.adaptation) continue;
+    method = known.name;
+    source = known.source;
+  }
+  StepReport report{
+      "primaries", "M2^-1 A M1, A: white to white", "[Shoaff 2.2.4], " + std::string(source), {}};
+  const auto set = [&](const std::string& name, const Primaries& p) {
+    report.numbers.emplace_back(name, "red " + xy(p.red) + ", green " + xy(p.green) + ", blue " +
+                                          xy(p.blue) + ", white " + xy(p.white));
+  };
+  set("picture", stage.from);
+  set("device", stage.to);
+  report.numbers.emplace_back("adaptation A", method);
+  for (int i = 0; i < 3; ++i) {
+    report.numbers.emplace_back("matrix row " + std::to_string(i + 1), row_text(stage.matrix, i));
+  }
+  return report;
+}
+
+StepReport explain_stage(const GamutMap& stage) {
+  for (const NamedGamutMethod& known : kGamutMethods) {
+    if (known.method != stage.method) continue;
+    return {"gamut map " + std::string(known.name),
+            std::string(known.formula),
+            std::string(known.source),
+            {}};
+  }
+  return {};
+}
+
+}  // namespace
+
+float reinhard_luminance(float luminance, float white) noexcept {
+  const float shoulder = white > 0 ? 1 + luminance / (white * white) : 1;
+  return luminance * shoulder / (1 + luminance);
+}
+
+void apply(const Stage& stage, Band band, StageCounts& counts) {
+  std::visit([&](const auto& s) { apply_stage(s, band, counts); }, stage);
+}
+
+StepReport explain(const Stage& stage) {
+  return std::visit([](const auto& s) { return explain_stage(s); }, stage);
+}
+
+}  // namespace tristim
