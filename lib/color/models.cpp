@@ -106,8 +106,8 @@ bool is_rgb(const ModelReference& reference) { return reference.model->has_prima
 
 // RGB to Lab of one white: greys come out exactly neutral, which the way through XYZ cannot
 // promise.
-bool has_direct_edge(const ModelReference& from, const ModelReference& to, bool adapts) {
-  return is_rgb(from) && to.model->name == "lab" && !adapts;
+bool has_direct_edge(const ModelReference& from, const ModelReference& to, bool one_white) {
+  return one_white && is_rgb(from) && to.model->name == "lab";
 }
 
 std::string white_text(Chromaticity white) {
@@ -178,12 +178,13 @@ ColorConversion::ColorConversion(const ModelReference& from, const ModelReferenc
   (void)xyz_from_rgb(from.primaries);
   (void)xyz_from_rgb(to.primaries);
   matrix_ = adaptation_matrix(from_white, to_white, adaptation);
-  adapts_ = !(from_white == to_white) && adaptation != Adaptation::kNone;
+  one_white_ = from_white == to_white;
+  adapts_ = !one_white_ && adaptation != Adaptation::kNone;
 }
 
 Components ColorConversion::operator()(const Components& c) const {
-  if (from_.model == to_.model && !adapts_ && from_.primaries == to_.primaries) return c;
-  if (has_direct_edge(from_, to_, adapts_)) {
+  if (from_.model == to_.model && one_white_ && from_.primaries == to_.primaries) return c;
+  if (has_direct_edge(from_, to_, one_white_)) {
     Components light = c;
     if (from_.model->name == "rgb") {
       const double gamma = set_gamma(from_.primaries);
@@ -221,7 +222,7 @@ std::vector<std::string> ColorConversion::explain() const {
     }
   }
   edge(to_, false);
-  if (has_direct_edge(from_, to_, adapts_)) {
+  if (has_direct_edge(from_, to_, one_white_)) {
     lines.push_back("rgb to lab of one white in one step: greys have a* = b* = 0 exactly");
   }
   return lines;

@@ -145,8 +145,9 @@ std::vector<std::vector<double>> csv_rows(const TomlTable& table, const std::str
   for (std::string_view line : split(text, '\n')) {
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.empty() || line.starts_with('#')) continue;
+    const std::vector<std::string_view> cells = split(line, ',');
     std::vector<double> row;
-    for (std::string_view cell : split(line, ',')) {
+    for (std::string_view cell : cells) {
       while (cell.starts_with(' ')) cell.remove_prefix(1);
       while (cell.ends_with(' ')) cell.remove_suffix(1);
       const auto value = parse_number(cell);
@@ -154,7 +155,7 @@ std::vector<std::vector<double>> csv_rows(const TomlTable& table, const std::str
     }
     const bool header = rows.empty() && row.empty();
     if (header) continue;
-    if (row.size() != 2) {
+    if (row.size() != 2 || cells.size() != 2) {
       table.fail("file", path + ": '" + std::string(line) + "' is no pair of code and luminance");
     }
     rows.push_back(std::move(row));
@@ -211,6 +212,7 @@ std::optional<LevelTable> read_levels(const TomlTable& root, const FrameLayout& 
   const int code_max = (1 << bits) - 1;
   levels.i0 = number_in(*table, "i0", levels.i0, kTiny, 1 - kTiny, "between 0 and 1");
   levels.gamma = number_in(*table, "gamma", levels.gamma, 0.01, 100, "from 0.01 to 100");
+  (void)table->integer("n");  // a fraction is no number of levels
   levels.n = static_cast<int>(
       number_in(*table, "n", code_max, 1, code_max,
                 "from 1 to " + std::to_string(code_max) + ", the packing's highest code"));
@@ -270,7 +272,10 @@ Xyz read_appearance(const TomlTable& table, std::optional<Chromaticity> viewing_
         Eigen::Vector3d(d65.x, d65.y, d65.z);
     return {seen.x(), seen.y(), seen.z()};
   }
-  if (xyz) return {values[0], values[1], values[2]};
+  if (xyz) {
+    if (*std::min_element(xyz->begin(), xyz->end()) < 0) table.fail("xyz", "xyz is negative");
+    return {values[0], values[1], values[2]};
+  }
   if (!viewing_white) {
     table.fail("lab", "lab needs the white that it was measured under",
                "add [viewing] white = \"D50\"");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 
@@ -90,6 +91,16 @@ int MixPalette::nearest(const Color& color) const noexcept {
   return nearest_.find({decode(color[0]), decode(color[1]), decode(color[2])});
 }
 
+int MixPalette::equal_entry(const Color& color) const noexcept {
+  constexpr float kEqual = 1e-5F;  // what the way through XYZ leaves
+  const auto equal = [&color](const Color& entry) {
+    return std::abs(entry[0] - color[0]) < kEqual && std::abs(entry[1] - color[1]) < kEqual &&
+           std::abs(entry[2] - color[2]) < kEqual;
+  };
+  const auto found = std::find_if(entries_.begin(), entries_.end(), equal);
+  return found == entries_.end() ? -1 : static_cast<int>(found - entries_.begin());
+}
+
 Color MixPalette::bounded(const Color& color) const noexcept {
   Color held{};
   for (std::size_t c = 0; c < 3; ++c) held[c] = std::clamp(color[c], low_[c], high_[c]);
@@ -131,6 +142,10 @@ void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> 
     const int x = reversed ? width_ - 1 - i : i;
     const auto at = static_cast<std::size_t>(x);
     Color color = palette_->from_light(&rgb[3 * at]);
+    if (const int entry = palette_->equal_entry(color); entry >= 0) {
+      indices[at] = static_cast<std::uint16_t>(entry);
+      continue;
+    }
     for (int c = 0; c < 3; ++c) color[static_cast<std::size_t>(c)] += errors_.received(x, c);
     color = palette_->bounded(color);
     const int index = palette_->nearest(color);

@@ -93,7 +93,8 @@ void apply_stage(const GamutMap& stage, Band band, StageCounts& counts) {
           desaturated({p[0], p[1], p[2]}, stage.srgb_from_device, device_from_srgb);
       for (int c = 0; c < 3; ++c) p[c] = static_cast<float>(mapped[c]);
     }
-    for (int c = 0; c < 3; ++c) p[c] = std::min(std::max(p[c], 0.0F), 1.0F);
+    // In this order NaN, which an overflow before may have left, becomes 0.
+    for (int c = 0; c < 3; ++c) p[c] = std::min(std::max(0.0F, p[c]), 1.0F);
   });
   counts.out_of_gamut += out_of_gamut;
   counts.clipped += clipped;

@@ -67,6 +67,7 @@ class ColorConversion {
   Adaptation adaptation_;
   Eigen::Matrix3d matrix_;  // white to white
   bool adapts_ = false;
+  bool one_white_ = true;
 };
 
 }  // namespace tristim

@@ -39,6 +39,9 @@ class MixPalette {
   /// The nearest entry of a colour given in the numbers of the mix.
   int nearest(const Color& color) const noexcept;
 
+  /// The entry that `color`, in the numbers of the mix, is already; -1 where it is none.
+  int equal_entry(const Color& color) const noexcept;
+
   const Color& entry(int index) const noexcept { return entries_[static_cast<std::size_t>(index)]; }
   int size() const noexcept { return static_cast<int>(entries_.size()); }
 

@@ -25,8 +25,11 @@ std::array<float, 3> encoded_place(Rgb linear_srgb) noexcept;  // of [0, 1]; cli
 
 /// Every metric; the first is the default. The command line, the docs and the tests read this list.
 inline constexpr std::array kMetrics{
-    Metric{"oklab", oklab_place, "[Ottosson20]"}, Metric{"lab", lab_place, "[CIE15 8.2.1]"},
-    Metric{"luv", luv_place, "[CIE15 8.2.2]"}, Metric{"linear", linear_place, "linear sRGB"},
+    Metric{"oklab", oklab_place, "[Ottosson20]"},
+    Metric{"oklab-toe", oklab_toe_place, "[Ottosson20] with a toe"},
+    Metric{"lab", lab_place, "[CIE15 8.2.1]"},
+    Metric{"luv", luv_place, "[CIE15 8.2.2]"},
+    Metric{"linear", linear_place, "linear sRGB"},
     Metric{"encoded", encoded_place, "[IEC61966]"}};
 
 }  // namespace tristim
