@@ -1,0 +1,26 @@
+#pragma once
+
+#include "tools/cli.h"
+
+namespace tristim::tools {
+
+void run_process(Arguments arguments);
+void run_convert(Arguments arguments);
+void run_levels(Arguments arguments);
+void run_device(Arguments arguments);
+void run_info(Arguments arguments);
+void run_render(Arguments arguments);
+
+/// Every command. Main and the help read this list.
+inline constexpr Command kCommands[] = {
+    {"process", "IN... -o OUT --device D [options]", "rendered pictures to the codes of a display",
+     run_process},
+    {"convert", "[--from MODEL] --to MODEL [VALUES...] [options]",
+     "colours from one model to another", run_convert},
+    {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
+    {"device", "list|show|check [D...] [options]", "list, show and check devices", run_device},
+    {"info", "FILE... [options]", "what a picture file is", run_info},
+    {"render", "SCENE -o OUT.exr [options]", "make a picture to process", run_render},
+};
+
+}  // namespace tristim::tools
