@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,10 +31,12 @@ struct Options {
   bool explain = false, json = false, list = false;
 };
 
-std::optional<double> component(std::string_view text) {
-  if (same_name(text, "none")) return std::nan("");
-  return parse_number(text);
-}
+// A colour to convert, and whether it was given as "nan" or without end: then what comes out
+// undefined is "nan" too, not "none".
+struct Row {
+  Components values{};
+  bool odd = false;
+};
 
 bool is_separator(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r'; }
 
@@ -51,80 +55,106 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-// Turns rows of numbers and colour names into components of the source model.
+// Turns numbers and colour names into components of the source model.
 class RowReader {
  public:
-  RowReader(const ModelReference& from, std::string place)
-      : from_(from),
-        named_(parse_model("rgb:srgb", "--from"), from, Adaptation::kBradford),
-        place_(std::move(place)) {}
+  explicit RowReader(const ModelReference& from)
+      : from_(from), named_(parse_model("rgb:srgb", "--from"), from, Adaptation::kBradford) {}
 
-  void read(const std::vector<std::string>& words, std::vector<Components>& rows) {
-    for (const std::string& word : words) add(word, rows);
+  /// The colours of `words`; `place` is for messages.
+  std::vector<Row> read(const std::vector<std::string>& words, const std::string& place) const {
+    std::vector<Row> rows;
+    Row row;
+    std::size_t count = 0;
+    for (const std::string& word : words) {
+      if (const auto number = component(word, row)) {
+        row.values[count++] = *number;
+      } else if (const auto color = parse_color(word); color && count == 0) {
+        row.values = named_({color->r, color->g, color->b});
+        count = kComponents;
+      } else {
+        throw Error(ErrorKind::kContent, place,
+                    "'" + word + "' is " + (color ? "no number" : "no number and no colour"),
+                    hint(word));
+      }
+      if (count < kComponents) continue;
+      rows.push_back(row);
+      row = {};
+      count = 0;
+    }
+    if (count == 0) return rows;
+    throw Error(ErrorKind::kContent, place,
+                "the last colour has " + std::to_string(count) + " of its 3 numbers", give_all());
   }
-
-  // At the end of a row: whole colours only.
-  void end_row(const std::string& row) {
-    if (count_ == 0) return;
-    throw Error(ErrorKind::kContent, place_ + row,
-                std::to_string(count_) + " numbers are left over",
-                "model " + std::string(from_.model->name) +
-                    " has 3: " + std::string(from_.model->components));
-  }
-
-  void set_row(std::string row) { row_ = std::move(row); }
 
  private:
-  void add(const std::string& word, std::vector<Components>& rows) {
-    if (const auto number = component(word)) {
-      pending_[count_++] = *number;
-      if (count_ == 3) {
-        rows.push_back(pending_);
-        count_ = 0;
-      }
-      return;
-    }
-    const auto color = parse_color(word);
-    if (!color || count_ != 0) {
-      throw Error(ErrorKind::kContent, place_ + row_, "'" + word + "' is no number",
-                  count_ != 0 ? "a colour has 3 numbers" : color_hint(word));
-    }
-    rows.push_back(named_({color->r, color->g, color->b}));
+  static constexpr std::size_t kComponents = 3;
+
+  static std::optional<double> component(std::string_view text, Row& row) {
+    if (same_name(text, "none")) return std::nan("");
+    const auto number = parse_number(text);
+    if (number && !std::isfinite(*number)) row.odd = true;
+    return number;
+  }
+
+  std::string give_all() const {
+    return std::string(from_.model->name) + " has " + std::string(from_.model->components);
+  }
+
+  std::string hint(const std::string& word) const {
+    if (word.starts_with('#')) return "a colour is #rgb or #rrggbb; a comment begins with '# '";
+    const std::string nearest = color_hint(word);
+    return nearest.starts_with("did you mean") ? nearest
+                                               : give_all() + "; or give #rrggbb or a CSS name";
   }
 
   ModelReference from_;
   ColorConversion named_;  // sRGB to the source model, for names
-  std::string place_, row_;
-  Components pending_{};
-  std::size_t count_ = 0;
 };
 
-std::vector<Components> read_rows(const Options& options, const ModelReference& from) {
-  std::vector<Components> rows;
-  if (!options.words.empty()) {
-    RowReader reader(from, "arguments");
-    for (const std::string& word : options.words) reader.read(words_of(word), rows);
-    reader.end_row("");
-    return rows;
+std::string standard_input() {
+  if (isatty(STDIN_FILENO) == 1) {
+    throw Error(ErrorKind::kMisuse, "convert", "no colours are given",
+                "give numbers or names, or pipe rows into standard input");
   }
-  RowReader reader(from, "standard input");
-  const std::string text = read_text_file("-");
+  return read_text_file("-");
+}
+
+// Without what stands behind a '#' that is a word of its own: #ff8000 is a colour.
+std::vector<std::string> without_comment(std::vector<std::string> words) {
+  words.erase(std::find(words.begin(), words.end(), "#"), words.end());
+  return words;
+}
+
+std::vector<Row> read_rows(const Options& options, const ModelReference& from) {
+  const RowReader reader(from);
+  if (!options.words.empty()) {
+    std::vector<std::string> words;
+    for (const std::string& argument : options.words) {
+      for (std::string& word : words_of(argument)) words.push_back(std::move(word));
+    }
+    return reader.read(words, "arguments");
+  }
+  std::vector<Row> rows;
+  const std::string text = standard_input();
+  std::string_view rest = text;
+  if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // the mark of UTF-8 files
   std::size_t number = 0;
-  for (std::string_view line : split(text, '\n')) {
-    ++number;
-    // '#' begins a comment, but #ff8000 is a colour: a comment's '#' is followed by a blank or
-    // comes after numbers.
-    const std::size_t comment = line.find("# ");
-    const std::vector<std::string> words = words_of(line.substr(0, comment));
-    const std::string row = ", row " + std::to_string(number);
-    reader.set_row(row);
-    reader.read(words, rows);
-    reader.end_row(row);
+  for (const std::string_view line : split(rest, '\n')) {
+    const std::string place = "standard input, row " + std::to_string(++number);
+    const std::vector<Row> colors = reader.read(without_comment(words_of(line)), place);
+    if (colors.size() > 1) {
+      throw Error(ErrorKind::kContent, place, std::to_string(colors.size()) + " colours in a row",
+                  "give one");
+    }
+    rows.insert(rows.end(), colors.begin(), colors.end());
   }
   return rows;
 }
 
-std::string component_text(double value) { return std::isnan(value) ? "none" : shortest(value); }
+std::string component_text(double value, bool odd) {
+  return std::isnan(value) && !odd ? "none" : shortest(value);
+}
 
 void list_models(bool json) {
   Json all = Json::array();
@@ -143,21 +173,23 @@ void list_models(bool json) {
     text += name + components + std::string(model.ranges) + "  " + std::string(model.source) + "\n";
   }
   text += "SET: " + list_names(primaries_list()) + "\nWHITE: " + list_names(kWhitePoints) + "\n";
-  print(json ? all.dump(2) + "\n" : text);
+  print(json ? json_line(all) : text);
 }
 
 void print_rows(const Options& options, const ColorConversion& conversion,
-                const std::vector<Components>& rows) {
+                const std::vector<Row>& rows) {
   Json list = Json::array();
   std::string text;
-  for (const Components& row : rows) {
-    const Components out = conversion(row);
+  for (const Row& row : rows) {
+    const Components out = conversion(row.values);
     list.push_back({number_json(out[0]), number_json(out[1]), number_json(out[2])});
-    text +=
-        component_text(out[0]) + " " + component_text(out[1]) + " " + component_text(out[2]) + "\n";
+    text += component_text(out[0], row.odd) + " " + component_text(out[1], row.odd) + " " +
+            component_text(out[2], row.odd) + "\n";
   }
   if (!options.json) return print(text);
-  print(Json{{"from", options.from}, {"to", options.to}, {"rows", list}}.dump() + "\n");
+  Json json{{"from", options.from}, {"to", options.to}, {"rows", list}};
+  if (options.explain) json["steps"] = conversion.explain();
+  print(json_line(json));
 }
 
 }  // namespace
@@ -165,11 +197,13 @@ void print_rows(const Options& options, const ColorConversion& conversion,
 void run_convert(Arguments arguments) {
   Options options;
   CommandLine line(*find_by_name(kCommands, "convert"), kExamples);
-  line.positional("VALUES", "colours: numbers, #rrggbb, CSS names; else rows of standard input",
+  line.positional("VALUES...",
+                  "colours: numbers, #rrggbb, CSS names; without any: rows of standard input, "
+                  "a colour each, with comments from # on",
                   options.words, 0, 1 << 20);
-  line.option("--from", "MODEL", "default rgb:srgb", options.from);
-  line.option("--to", "MODEL", "such as lab, xyz@d50, linear:display-p3", options.to);
-  line.option("--adapt", list_names(kAdaptations), "from white to white; default bradford",
+  line.option("--from", "MODEL", "default: rgb:srgb", options.from);
+  line.option("--to", "MODEL", "such as lab, xyz@d50, linear:display-p3; see --list", options.to);
+  line.option("--adapt", choices(kAdaptations), "from white to white; default: bradford",
               [&](const std::string& v) {
                 const AdaptationMethod* method = find_by_name(kAdaptations, v);
                 if (method == nullptr) {
@@ -179,7 +213,7 @@ void run_convert(Arguments arguments) {
                 options.adaptation = method->method;
               });
   line.flag("--explain", "print the way between the models first", options.explain);
-  line.flag("--json", "print the rows as JSON", options.json);
+  line.flag("--json", "print the colours as JSON", options.json);
   line.flag("--list", "print the models with their ranges and sources", options.list);
   if (!line.parse(arguments)) return;
   if (options.list) return list_models(options.json);
@@ -190,7 +224,7 @@ void run_convert(Arguments arguments) {
   const ModelReference from = parse_model(options.from, "--from");
   const ModelReference to = parse_model(options.to, "--to");
   const ColorConversion conversion(from, to, options.adaptation);
-  const std::vector<Components> rows = read_rows(options, from);
+  const std::vector<Row> rows = read_rows(options, from);
   if (options.explain && !options.json) {
     for (const std::string& step : conversion.explain()) print(step + "\n");
   }

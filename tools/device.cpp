@@ -102,7 +102,7 @@ Json display_json(const std::string& id, const Display& display) {
 
 // A value of the JSON on one line, for people.
 std::string line_text(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
+  if (value.is_string()) return one_line(value.get<std::string>());
   if (value.is_number_float()) return rounded(value.get<double>(), 9);
   if (!value.is_array() && !value.is_object()) return value.dump();
   std::string text;
@@ -146,31 +146,52 @@ void list(bool json) {
     text += line + display.name + "; " + std::string(display.frame.packing.name) + ", " +
             level_text(display) + "\n";
   }
-  print(json ? all.dump(2) + "\n" : text);
+  print(json ? json_line(all) : text);
 }
 
 void show(const std::string& id, bool json, bool toml) {
-  const auto* built_in = find_by_name(built_in_displays(), id);
-  if (toml && built_in == nullptr) {
-    throw Error(ErrorKind::kMisuse, "--toml", "only built-in devices have a file to print",
-                "your own is " + id);
+  const Display display = load_display(id);
+  if (!toml) {
+    const Json facts = display_json(id, display);
+    return print(json ? json_line(facts) : show_text(facts));
   }
-  if (toml) return print(built_in->text);
-  const Json facts = display_json(id, load_display(id));
-  print(json ? facts.dump(2) + "\n" : show_text(facts));
+  const auto* built_in = find_by_name(built_in_displays(), id);
+  if (built_in == nullptr) {
+    throw Error(ErrorKind::kMisuse, "--toml", "prints built-in devices only", "yours is " + id);
+  }
+  print(built_in->text);
 }
 
 void check(const std::string& path, bool json) {
   const Display display = load_display(path);
   const Json facts{{"device", path}, {"name", display.name}, {"valid", true}};
-  print(json ? facts.dump() + "\n"
-             : path + ": good: " + display.name + ", " + level_text(display) + "\n");
+  print(json ? json_line(facts)
+             : one_line(path) + ": good: " + one_line(display.name) + ", " + level_text(display) +
+                   "\n");
 }
 
 struct Action {
   std::string_view name;
 };
 constexpr Action kActions[] = {{"list"}, {"show"}, {"check"}};
+
+// What does not go together is told, not ignored.
+void check_arguments(const std::vector<std::string>& words, bool json, bool toml) {
+  const bool listed = same_name(words[0], "list");
+  if (toml && (json || !same_name(words[0], "show"))) {
+    throw Error(ErrorKind::kMisuse, "--toml",
+                "does not go with " + (json ? std::string("--json") : words[0]),
+                "use: tristim device show D --toml");
+  }
+  if (listed && words.size() > 1) {
+    throw Error(ErrorKind::kMisuse, words[1], "is one argument too many",
+                "use: tristim device list, or tristim device show " + words[1]);
+  }
+  if (!listed && words.size() < 2) {
+    throw Error(ErrorKind::kMisuse, "device " + words[0], "no device is named",
+                "give one of " + list_names(built_in_displays()) + ", or a file");
+  }
+}
 
 }  // namespace
 
@@ -179,9 +200,11 @@ void run_device(Arguments arguments) {
   bool json = false;
   bool toml = false;
   CommandLine line(*find_by_name(kCommands, "device"), kExamples);
-  line.positional("list|show|check [D...]", "what to do, and a device's name or file", words, 1,
-                  1000);
-  line.flag("--json", "print the facts as JSON", json);
+  line.positional("list|show|check",
+                  "what to do, followed by devices: names of `tristim device "
+                  "list`, or files: ./panel.toml",
+                  words, 1, 1 << 20);
+  line.flag("--json", "print the facts as JSON, a line a device", json);
   line.flag("--toml", "show: the device file itself, to start one's own from", toml);
   if (!line.parse(arguments)) return;
   const Action* action = find_by_name(kActions, words[0]);
@@ -189,11 +212,8 @@ void run_device(Arguments arguments) {
     throw Error(ErrorKind::kMisuse, "device", "unknown action '" + words[0] + "'",
                 name_hint(kActions, words[0]));
   }
+  check_arguments(words, json, toml);
   if (action->name == "list") return list(json);
-  if (words.size() < 2) {
-    throw Error(ErrorKind::kMisuse, "device " + words[0], "no device is named",
-                "give one of " + list_names(built_in_displays()) + ", or a file");
-  }
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (action->name == "show") show(words[i], json, toml);
     if (action->name == "check") check(words[i], json);

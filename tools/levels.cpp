@@ -92,24 +92,26 @@ void print_nearest(const Options& options) {
     list.push_back(j ? Json(*j) : Json(nullptr));
     text += (j ? std::to_string(*j) : "none") + "\n";
   }
-  print(options.json ? list.dump() + "\n" : text);
+  print(options.json ? json_line(list) : text);
 }
 
 void declare(CommandLine& line, Options& options) {
   constexpr double kOpen = 1e-12;
-  line.option("--n", "N", "highest level: N + 1 levels; default 255",
+  line.option("--n", "N", "highest level: N + 1 levels; default: 255",
               [&](const std::string& v) { options.table.n = integer_option("--n", v, 1, 65535); });
-  line.option(
-      "--i0", "I", "lowest intensity, between 0 and 1; default 0.02",
-      [&](const std::string& v) { options.table.i0 = number_option("--i0", v, kOpen, 1 - kOpen); });
-  line.option("--gamma", "G", "exponent of the device; default 2.2", [&](const std::string& v) {
+  line.option("--i0", "I", "lowest intensity, between 0 and 1; default: 0.02",
+              [&](const std::string& v) {
+                options.table.i0 = number_option("--i0", v, kOpen, 1 - kOpen, "between 0 and 1");
+              });
+  line.option("--gamma", "G", "exponent of the device; default: 2.2", [&](const std::string& v) {
     options.gamma = options.table.gamma = number_option("--gamma", v, 0.01, 100);
   });
-  line.option("--k", "K", "factor of I = K V^gamma; default Vmax^-gamma",
-              [&](const std::string& v) { options.k = number_option("--k", v, 1e-300, 1e300); });
-  line.option("--vmax", "V", "highest code; default 255",
+  line.option(
+      "--k", "K", "factor of I = K V^gamma; default: Vmax^-gamma",
+      [&](const std::string& v) { options.k = number_option("--k", v, 1e-300, 1e300, "above 0"); });
+  line.option("--vmax", "V", "highest code; default: 255",
               [&](const std::string& v) { options.vmax = integer_option("--vmax", v, 1, 65535); });
-  line.option("--spacing", list_names(level_spacings()), "default ratio",
+  line.option("--spacing", choices(level_spacings()), "of the levels; default: ratio",
               [&](const std::string& v) {
                 options.table.spacing = find_by_name(level_spacings(), v);
                 if (options.table.spacing == nullptr) {
@@ -128,7 +130,8 @@ void declare(CommandLine& line, Options& options) {
           options.nearest.push_back(*intensity);
         }
       });
-  line.flag("--json", "print the table as JSON: I0 n gamma Vmax I V ...", options.json);
+  line.flag("--json", "print the table as JSON, with the keys I0 n gamma Vmax I V and more",
+            options.json);
   line.flag("--c", "print the codes as a C header", options.c);
 }
 
@@ -140,12 +143,17 @@ void run_levels(Arguments arguments) {
   CommandLine line(*find_by_name(kCommands, "levels"), kExamples);
   declare(line, options);
   if (!line.parse(arguments)) return;
+  if (options.c && (options.json || !options.nearest.empty())) {
+    throw Error(ErrorKind::kMisuse, "--c",
+                "does not go with " + std::string(options.json ? "--json" : "--nearest"),
+                "give one of them");
+  }
   if (!options.nearest.empty()) return print_nearest(options);
   const std::vector<double> levels = intensity_levels(options.table);
   const std::vector<int> codes = level_codes(levels, options.gamma, options.vmax, options.k);
   if (options.c) return print(c_text(options, codes));
   const Json table = facts(options, levels, codes);
-  print(options.json ? table.dump() + "\n" : table_text(table));
+  print(options.json ? json_line(table) : table_text(table));
 }
 
 }  // namespace tristim::tools

@@ -1,6 +1,8 @@
 #include "tools/outputs.h"
 
-#include <algorithm>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 #include <set>
 
@@ -53,6 +55,17 @@ std::string expand(const std::string& pattern, const std::string& input, std::si
   return name;
 }
 
+bool is_link(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_symlink(fs::symlink_status(path, ignored));
+}
+
+std::string canonical(const std::string& path) {
+  std::error_code failed;
+  const fs::path name = fs::weakly_canonical(path, failed);
+  return failed ? path : name.lexically_normal().string();
+}
+
 }  // namespace
 
 std::vector<std::string> output_names(const std::string& pattern,
@@ -62,11 +75,18 @@ std::vector<std::string> output_names(const std::string& pattern,
   std::set<std::string> taken;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     names.push_back(expand(pattern, inputs[i], i + 1, option));
-    if (taken.insert(fs::path(names.back()).lexically_normal().string()).second) continue;
+    const bool device = names.back() == "/dev/null";
+    if (device || taken.insert(canonical(names.back())).second) continue;
     throw Error(ErrorKind::kMisuse, option, "two inputs would be written to " + names.back(),
-                "put {stem} or %04d into the name");
+                pattern.find("{stem}") == std::string::npos
+                    ? "put {stem} or %04d into the name"
+                    : "put %04d into the name, the number of the picture");
   }
   return names;
+}
+
+bool same_output(const std::string& a, const std::string& b) {
+  return a != "/dev/null" && canonical(a) == canonical(b);
 }
 
 void refuse_inputs_as_outputs(const std::vector<std::string>& inputs,
@@ -81,6 +101,36 @@ void refuse_inputs_as_outputs(const std::vector<std::string>& inputs,
                   "choose another name for the output");
     }
   }
+}
+
+void refuse_taken_outputs(const std::vector<std::string>& outputs, bool replace) {
+  for (const std::string& output : outputs) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(output, ignored);
+    if (fs::is_directory(status) || output.ends_with('/')) {
+      throw Error(ErrorKind::kSystem, output, "is a directory",
+                  "give a name in it: " + (fs::path(output) / "{stem}.png").string());
+    }
+    const bool taken = fs::is_regular_file(status) || (!fs::exists(status) && is_link(output));
+    if (taken && !replace) {
+      throw Error(ErrorKind::kSystem, output, "exists already", "give --force to replace it");
+    }
+  }
+}
+
+void refuse_missing_inputs(const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code ignored;
+    if (input == "-" || fs::status(input, ignored).type() != fs::file_type::not_found) continue;
+    throw Error(ErrorKind::kSystem, input, "cannot be opened: " + system_message(ENOENT),
+                "check the path");
+  }
+}
+
+void refuse_terminal(const std::string& output) {
+  if (output != "-" || isatty(STDOUT_FILENO) != 1) return;
+  throw Error(ErrorKind::kMisuse, "-", "a picture is not written to a terminal",
+              "give -o a file, or pipe it on");
 }
 
 }  // namespace tristim::tools

@@ -14,7 +14,8 @@ std::string steps_text(const std::vector<StepReport>& steps);
 /// Steps for machines.
 nlohmann::ordered_json steps_json(const std::vector<StepReport>& steps);
 
-/// JSON on one line, with its end. File names need not be UTF-8, JSON must: other bytes become U+FFFD.
+/// JSON on one line, with its end. File names need not be UTF-8, JSON must: other bytes become
+/// U+FFFD.
 std::string json_line(const nlohmann::ordered_json& json);
 
 /// A number as JSON has it here: NaN is null, infinity "inf".

@@ -145,8 +145,9 @@ bool odd_integer(double y) noexcept {
 
 double pow_positive(double x, double y) noexcept {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (x == 1) return 1;
   if (x == 0 || x == kInfinity) return (x == 0) == (y > 0) ? 0 : kInfinity;
-  if (std::fabs(y) == kInfinity) return x == 1 ? 1 : ((x > 1) == (y > 0) ? kInfinity : 0);
+  if (std::fabs(y) == kInfinity) return (x > 1) == (y > 0) ? kInfinity : 0;
   const Dd log2 = log2_precise(x);
   if (std::fabs(log2.hi * y) > 1100) return log2.hi * y > 0 ? kInfinity : 0;
   return exp2_of(multiply(log2, y));

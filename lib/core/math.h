@@ -11,8 +11,9 @@ struct DoubleDouble {
   double hi = 0, lo = 0;
 };
 
-/// x^y, correctly rounded but for results within 1e-9 ulp of a tie. Follows the C standard at the
-/// edges: x < 0 gives NaN unless y is an integer, x^0 is 1, NaN passes.
+/// x^y, correctly rounded but for results within 1e-9 ulp of a tie; subnormal results are rounded
+/// twice, within .75 ulp. Follows the C standard at the edges: x < 0 gives NaN unless y is an
+/// integer, x^0 is 1, NaN passes.
 double pow(double x, double y) noexcept;
 
 /// Base-2 logarithm of a finite x > 0 to about 95 bits.

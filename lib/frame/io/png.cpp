@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <future>
 #include <stdexcept>
 #include <vector>
 
+#include "lib/core/parallel.h"
 #include "lib/frame/io/file_sink.h"
 #include "lib/frame/io/formats.h"
 #include "lib/frame/io/png_file.h"
@@ -67,7 +70,8 @@ class PngSink final : public FileSink {
         level_(options.png_level),
         pixel_bytes_(std::max(1, shape.depth * shape.samples / 8)),
         filter_(shape.colour != PngColour::kPalette && shape.depth >= 8),
-        idat_(zlib_header(level_)) {
+        idat_(zlib_header(level_)),
+        stripes_at_once_(static_cast<std::size_t>(thread_count(options.threads))) {
     const int second = shape.samples == 3 ? shape.depth : 0;
     packed_.packing = {"", shape.samples, {shape.depth, second, second}, false, false};
     above_.resize(packed_row_bytes(packed_.packing, frame.width));
@@ -87,7 +91,7 @@ class PngSink final : public FileSink {
   }
 
   void write_row(std::span<const std::uint16_t> codes) override {
-    if (rows_.size() == stripe_bytes_) write_stripe(false);
+    if (rows_.size() == stripe_bytes_) end_stripe(false);
     rows_.resize(rows_.size() + above_.size());
     const auto packed = std::span(rows_).last(above_.size());
     pack_row(wide_row_.empty() ? codes : widened(codes), packed_, packed);
@@ -101,25 +105,39 @@ class PngSink final : public FileSink {
     return wide_row_;
   }
 
-  void write_stripe(bool last) {
-    const CompressedStripe stripe =
-        compress_stripe({above_, rows_, pixel_bytes_, filter_}, level_, last);
+  // Compresses the rows collected so far on a thread of their own, a few stripes at a time; the
+  // file gets them in order.
+  void end_stripe(bool last) {
+    std::vector<std::uint8_t> next_above(rows_.end() - static_cast<std::ptrdiff_t>(above_.size()),
+                                         rows_.end());
+    const auto policy = stripes_at_once_ > 1 ? std::launch::async : std::launch::deferred;
+    running_.push_back(
+        std::async(policy, [above = std::move(above_), rows = std::move(rows_),
+                            pixel_bytes = pixel_bytes_, filter = filter_, level = level_, last] {
+          return compress_stripe({above, rows, pixel_bytes, filter}, level, last);
+        }));
+    above_ = std::move(next_above);
+    rows_ = {};
+    if (running_.size() >= stripes_at_once_) write_stripe();
+  }
+
+  void write_stripe() {
+    const CompressedStripe stripe = running_.front().get();
+    running_.pop_front();
     adler_ = adler32_combine(adler_, stripe.adler, static_cast<z_off_t>(stripe.filtered_bytes));
     idat_.insert(idat_.end(), stripe.deflated.begin(), stripe.deflated.end());
-    if (last) {
+    if (stripe.last) {
       for (const int shift : {24, 16, 8, 0}) {
         idat_.push_back(static_cast<std::uint8_t>(adler_ >> shift));
       }
     }
     png_.write_chunk("IDAT", idat_);
     idat_.clear();
-    std::copy(rows_.end() - static_cast<std::ptrdiff_t>(above_.size()), rows_.end(),
-              above_.begin());
-    rows_.clear();
   }
 
   void write_end() override {
-    write_stripe(true);
+    end_stripe(true);
+    while (!running_.empty()) write_stripe();
     png_.write_chunk("IEND", {});
   }
 
@@ -132,7 +150,9 @@ class PngSink final : public FileSink {
   std::vector<std::uint8_t> above_;  // the row before the stripe
   std::vector<std::uint8_t> rows_;   // of the stripe
   std::vector<std::uint8_t> idat_;   // of the next chunk
-  uLong adler_ = 1;                  // of all filtered bytes [RFC1950]
+  std::size_t stripes_at_once_;
+  std::deque<std::future<CompressedStripe>> running_;
+  uLong adler_ = 1;                                 // of all filtered bytes [RFC1950]
   std::array<std::vector<std::uint16_t>, 3> wide_;  // the PNG sample of each code
   std::vector<std::uint16_t> wide_row_;             // empty where codes are samples
 };

@@ -127,6 +127,7 @@ CompressedStripe compress_stripe(const PngStripe& stripe, int level, bool last) 
   CompressedStripe result;
   result.adler = static_cast<std::uint32_t>(adler32_z(1, bytes.data(), bytes.size()));
   result.filtered_bytes = bytes.size();
+  result.last = last;
   result.deflated = deflated(bytes, level, recipe.strategy, last);
   return result;
 }

@@ -21,6 +21,7 @@ struct CompressedStripe {
   std::vector<std::uint8_t> deflated;  // whole bytes; ends the stream where `last` is set
   std::uint32_t adler = 1;             // of the filtered bytes alone
   std::size_t filtered_bytes = 0;
+  bool last = false;
 };
 
 /// Filters and compresses a stripe by itself, so that stripes may be compressed in any order.

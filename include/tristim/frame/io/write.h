@@ -24,16 +24,18 @@ inline constexpr FrameFormat kFrameFormats[] = {
 };
 
 struct FrameWriteOptions {
-  std::string format;   // a name of kFrameFormats; "" : by the extension of the path
+  std::string format;  // a name of kFrameFormats; "" : by the extension of the path
   bool replace = false;
-  int png_level = 6;    // 0..9, zlib's
+  int threads = 0;    // that compress PNG; 0: one for each processor. The bytes are the same
+  int png_level = 6;  // 0..9, zlib's
 };
 
-/// Opens `path` ("-": standard output) for codes. PNG depths that a packing lacks (rgb565, gray levels of 3 bits)
-/// are widened by bit replication-like rounding, c (2^8-1)/(2^b-1) + 1/2, with sBIT telling the true depth.
+/// Opens `path` ("-": standard output) for codes. PNG depths that a packing lacks (rgb565, gray
+/// levels of 3 bits) are widened by bit replication-like rounding, c (2^8-1)/(2^b-1) + 1/2, with
+/// sBIT telling the true depth.
 ///
-/// Throws Error: kMisuse for an unknown format or one that cannot hold the codes (the text says what can);
-/// kSystem as OutputFile does.
+/// Throws Error: kMisuse for an unknown format or one that cannot hold the codes (the text says
+/// what can); kSystem as OutputFile does.
 std::unique_ptr<CodeSink> open_code_sink(const std::string& path, const FrameInfo& info,
                                          const FrameWriteOptions& options = {});
 

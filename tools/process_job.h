@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tristim/image/flatten.h"
+#include "tristim/pipeline/settings.h"
+#include "tristim/pipeline/stage.h"
+
+namespace tristim::tools {
+
+/// What `tristim process` was asked for.
+struct ProcessOptions {
+  std::vector<std::string> inputs;
+  std::string output, device, proof, format;
+  Settings settings;
+  int threads = 0;
+  int png_level = 6;
+  bool explain = false, json = false, force = false;
+};
+
+/// One picture on its way: what is known before its rows, and what was counted with them.
+struct Job {
+  std::string input, output, proof;  // proof may be empty
+  OddValues odd;
+  StageCounts counts;
+  std::uint64_t pixels = 0;
+  double mean_ciede2000 = 0;
+  double seconds = 0;
+};
+
+/// Refuses an output whose format, by --format or its extension, is none, and a proof that is not
+/// called .png. Throws Error (kMisuse).
+void check_format(const ProcessOptions& options, const std::string& output);
+void check_proof_format(const std::string& proof);
+
+/// Reads one picture, writes its output and proof, and prints what was asked for. Throws Error.
+void process_picture(const ProcessOptions& options, const Display& device, Job job);
+
+}  // namespace tristim::tools
