@@ -15,7 +15,7 @@ test: setup
 bench: configure
 	cmake --build --preset release
 	cmake --build --preset release --target bench
-	for script in bench/*.sh; do if [ -e "$$script" ]; then "$$script" $(BUILD) || exit; fi; done
+	bench/commands.py $(BUILD)/bin/tristim
 
 format: setup
 	tests/lint/format.sh --fix

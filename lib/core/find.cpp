@@ -50,4 +50,16 @@ std::size_t name_distance(std::string_view a, std::string_view b) {
   return row[y.size()];
 }
 
+std::size_t common_start(std::string_view a, std::string_view b) {
+  const std::string x = fold(a);
+  const std::string y = fold(b);
+  const auto end = std::mismatch(x.begin(), x.end(), y.begin(), y.end()).first;
+  return static_cast<std::size_t>(end - x.begin());
+}
+
+bool name_contains(std::string_view name, std::string_view part) {
+  const std::string folded = fold(part);
+  return folded.size() >= 2 && fold(name).find(folded) != std::string::npos;
+}
+
 }  // namespace tristim

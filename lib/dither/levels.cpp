@@ -49,7 +49,9 @@ void OrderedDither::row(ChannelRow<const float> in, int y,
     const float v = in[x];
     const int lower = std::max(search_.count_not_above(v) - 1, 0);
     const float steps = (v - light[lower]) * steps_per_light_[static_cast<std::size_t>(lower)];
-    const bool upper = lower < last && std::floor(steps + 0.5F) > static_cast<float>(rank[column]);
+    // floor(s + 1/2) > rank without the call that floor is on old processors; NaN takes the lower
+    // level.
+    const bool upper = lower < last && steps + 0.5F >= static_cast<float>(rank[column] + 1);
     out[x] = levels_.code[static_cast<std::size_t>(lower + (upper ? 1 : 0))];
     column = column + 1 == size ? 0 : column + 1;
   }

@@ -40,7 +40,8 @@ std::array<std::uint16_t, kClusteredCells> clustered_ranks() {
       const int dx[2] = {offset(2, x), offset(6, x)};
       const int dy[2] = {offset(2, y), offset(6, y)};
       const int d2[2] = {dx[0] * dx[0] + dy[0] * dy[0], dx[1] * dx[1] + dy[1] * dy[1]};
-      const int dot = d2[1] < d2[0] ? 1 : 0;
+      // What lies between the dots goes by halves, so that each hole fills in step with the other.
+      const int dot = d2[1] != d2[0] ? (d2[1] < d2[0] ? 1 : 0) : x / (kClusteredSide / 2);
       cells[static_cast<std::size_t>(y * kClusteredSide + x)] = {x, y, d2[dot], dot,
                                                                  octant(dx[dot], dy[dot])};
     }

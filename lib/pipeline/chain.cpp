@@ -68,7 +68,7 @@ ReduceOptions reduce_options(const Display& display, const Settings& settings) {
   const bool dithered = !std::holds_alternative<NoDither>(dither.method);
   const Metric* usual = find_by_name(kMetrics, dithered ? "oklab-toe" : "oklab");
   return {.dither = dither.method,
-          .serpentine = settings.serpentine,
+          .serpentine = settings.serpentine.value_or(display.frame.packing.indexed),
           .metric = settings.metric != nullptr ? *settings.metric : *usual,
           .mix = settings.mix,
           .black_point = settings.black_point};

@@ -16,17 +16,6 @@ namespace {
 
 using Result = std::optional<Refusal>;
 
-// Names of a list as the argument of an option: "a|b|c".
-template <typename List>
-std::string choices(const List& list) {
-  std::string names;
-  for (const auto& item : list) {
-    if (!names.empty()) names += "|";
-    names += item.name;
-  }
-  return names;
-}
-
 template <typename List>
 Refusal unknown(std::string_view what, const List& list, std::string_view value) {
   return {"unknown " + std::string(what) + " '" + std::string(value) + "'", name_hint(list, value)};
@@ -151,12 +140,13 @@ std::vector<Setting> make_settings() {
          s.layer = std::string(v);
          return {};
        }},
-      {"size", "WxH", "size of the result; default: the panel's, else the picture's", set_size},
-      {"fit", choices(kFitModes), "how the picture fills that size; default: contain",
+      {"size", "WxH|Wx|xH", "size of the result; default: the panel's, else the picture's",
+       set_size},
+      {"fit", list_names(kFitModes, "|"), "how the picture fills that size; default: contain",
        [](Settings& s, std::string_view v) {
          return choose("fit", kFitModes, v, [&](const NamedFitMode& m) { s.fit = m.mode; });
        }},
-      {"filter", choices(kFilters), "resampling filter, in light; default: hermite",
+      {"filter", list_names(kFilters, "|"), "resampling filter, in light; default: hermite",
        [](Settings& s, std::string_view v) {
          return choose("filter", kFilters, v, [&](const ResampleFilter& f) { s.filter = f; });
        }},
@@ -164,39 +154,43 @@ std::vector<Setting> make_settings() {
       {"background", "COLOUR", "under transparency and beside a fitted picture; default: black",
        set_background},
       {"exposure", "STOPS", "multiply light by 2^STOPS", set_exposure},
-      {"tone-map", "none|" + choices(kToneOperators) + "[:WHITE]",
+      {"tone-map", "none|" + list_names(kToneOperators, "|") + "[:WHITE]",
        "bring highlights into range; WHITE is the luminance that becomes white; default: none",
        set_tone_map},
-      {"adapt", choices(kAdaptations),
+      {"adapt", list_names(kAdaptations, "|"),
        "from the picture's white to the device's; default: bradford",
        [](Settings& s, std::string_view v) {
          return choose("adaptation", kAdaptations, v,
                        [&](const AdaptationMethod& m) { s.adaptation = m.method; });
        }},
-      {"gamut-map", choices(kGamutMethods), "colours outside the device's gamut; default: clip",
+      {"gamut-map", list_names(kGamutMethods, "|"),
+       "colours outside the device's gamut; default: clip",
        [](Settings& s, std::string_view v) {
          return choose("gamut map", kGamutMethods, v,
                        [&](const NamedGamutMethod& m) { s.gamut = m.method; });
        }},
-      {"black-point", choices(kBlackPoints),
-       "picture black is the device's black (relative), or no light at all (absolute)",
+      {"black-point", list_names(kBlackPoints, "|"),
+       "picture black is the device's black (relative), or no light at all (absolute); default: "
+       "relative",
        [](Settings& s, std::string_view v) {
          return choose("black point", kBlackPoints, v,
                        [&](const NamedBlackPoint& p) { s.black_point = p.point; });
        }},
-      {"dither", choices(dither_methods()), "default: what suits the device",
+      {"dither", list_names(dither_methods(), "|"),
+       "how tones between the codes are made; default: what suits the device",
        [](Settings& s, std::string_view v) {
          return choose("dither", dither_methods(), v, [&](const NamedDither& d) { s.dither = &d; });
        }},
-      {"serpentine", "", "error diffusion turns round at every row", set_serpentine},
-      {"palette", "device|" + choices(kPaletteMethods) + "[:N]",
+      {"serpentine", "", "error diffusion turns round at every row; default: for indexed devices",
+       set_serpentine},
+      {"palette", "device|" + list_names(kPaletteMethods, "|") + "[:N]",
        "choose N colours for the picture, for indexed devices; default: device", set_palette},
-      {"metric", choices(kMetrics),
+      {"metric", list_names(kMetrics, "|"),
        "space in which the nearest colour is chosen; default: oklab, dithered oklab-toe",
        [](Settings& s, std::string_view v) {
          return choose("metric", kMetrics, v, [&](const Metric& m) { s.metric = &m; });
        }},
-      {"mix", choices(kMixes), "dither in light, or in encoded numbers; default: light",
+      {"mix", list_names(kMixes, "|"), "dither in light, or in encoded numbers; default: light",
        [](Settings& s, std::string_view v) {
          return choose("mix", kMixes, v, [&](const NamedMix& m) { s.mix = m.mix; });
        }},

@@ -35,7 +35,7 @@ struct Settings {
   GamutMethod gamut = GamutMethod::kClip;
   BlackPoint black_point = BlackPoint::kRelative;
   const NamedDither* dither = nullptr;  // nullptr: what suits the device
-  bool serpentine = false;
+  std::optional<bool> serpentine;       // empty: where a palette of colours is diffused to
   PaletteChoice palette;
   const Metric* metric = nullptr;  // nullptr: oklab, and oklab-toe where the palette is dithered
   Mix mix = Mix::kLight;
