@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <utility>
 
 #include "tools/help.h"
 #include "tristim/core/error.h"
@@ -87,6 +88,10 @@ struct CommandLine::State {
 
   // What CLI11 says of an option, in our words.
   [[noreturn]] void refuse(const std::string& what) const {
+    const std::size_t override = what.find(" was given a disallowed flag override");
+    if (override != std::string::npos) {
+      misuse("--" + what.substr(0, override), "takes no value", "give it alone");
+    }
     const std::size_t colon = what.find(": ");
     const bool named = what.starts_with('-') && colon != std::string::npos;
     if (!named) misuse(command.name, what, see_help());
@@ -96,14 +101,14 @@ struct CommandLine::State {
       misuse(option, "is given more than once", "give it once");
     }
     if (wrong.find("missing") != std::string::npos) misuse(option, "has no value", see_help());
-    if (wrong.find("flag") != std::string::npos) misuse(option, "takes no value", "give it alone");
     misuse(option, wrong, see_help());
   }
 
   void check_positionals() const {
     for (const Positional& positional : positionals) {
       if (positional.values->size() >= positional.least) continue;
-      misuse(command.name, positional.name + " is missing", "use: " + usage());
+      misuse(command.name, positional.name.substr(0, positional.name.find("...")) + " is missing",
+             "use: " + usage());
     }
   }
 };
@@ -138,7 +143,7 @@ void CommandLine::option(const std::string& names, const std::string& argument,
 void CommandLine::option(const std::string& names, const std::string& argument,
                          const std::string& help, std::function<void(const std::string&)> set) {
   state_->app.add_option_function<std::string>(
-      names, [set](const std::string& text) { set(unguarded(text)); });
+      names, [set = std::move(set)](const std::string& text) { set(unguarded(text)); });
   state_->sections.back().entries.push_back({shown_names(names) + " " + argument, help});
 }
 
@@ -150,8 +155,9 @@ void CommandLine::flag(const std::string& names, const std::string& help, bool& 
 void CommandLine::section(const std::string& title) { state_->sections.push_back({title, {}}); }
 
 bool CommandLine::parse(Arguments arguments) {
-  state_->sections.push_back(
-      {"", {{"-q, --quiet", "no notes and no progress"}, {"-h, --help", "print this help"}}});
+  std::vector<HelpEntry>& options = state_->sections[1].entries;
+  options.push_back({"-q, --quiet", "no notes and no progress"});
+  options.push_back({"-h, --help", "print this help"});
   std::vector<std::string> reversed;  // as CLI11 wants them
   for (const std::string& argument : arguments) reversed.push_back(guarded(argument));
   std::reverse(reversed.begin(), reversed.end());

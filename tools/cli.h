@@ -55,17 +55,6 @@ double number_option(std::string_view option, std::string_view text, double leas
                      std::string_view range = {});
 int integer_option(std::string_view option, std::string_view text, int least, int most);
 
-/// The names of a list as the argument of an option: "a|b|c".
-template <typename List>
-std::string choices(const List& list) {
-  std::string names;
-  for (const auto& item : list) {
-    if (!names.empty()) names += "|";
-    names += item.name;
-  }
-  return names;
-}
-
 /// `text` as it is safe to show: '?' for control characters, which file names may have.
 std::string one_line(std::string text);
 

@@ -75,7 +75,7 @@ class RowReader {
       } else {
         throw Error(ErrorKind::kContent, place,
                     "'" + word + "' is " + (color ? "no number" : "no number and no colour"),
-                    hint(word));
+                    color ? give_all() : hint(word));
       }
       if (count < kComponents) continue;
       rows.push_back(row);
@@ -98,14 +98,13 @@ class RowReader {
   }
 
   std::string give_all() const {
-    return std::string(from_.model->name) + " has " + std::string(from_.model->components);
+    return "give " + std::string(from_.model->components) + " of " + std::string(from_.model->name);
   }
 
   std::string hint(const std::string& word) const {
-    if (word.starts_with('#')) return "a colour is #rgb or #rrggbb; a comment begins with '# '";
+    if (word.starts_with('#')) return "a colour is #rrggbb, a comment begins with '# '";
     const std::string nearest = color_hint(word);
-    return nearest.starts_with("did you mean") ? nearest
-                                               : give_all() + "; or give #rrggbb or a CSS name";
+    return nearest.starts_with("did you mean") ? nearest : give_all() + ", #rrggbb or a CSS name";
   }
 
   ModelReference from_;
@@ -203,7 +202,7 @@ void run_convert(Arguments arguments) {
                   options.words, 0, 1 << 20);
   line.option("--from", "MODEL", "default: rgb:srgb", options.from);
   line.option("--to", "MODEL", "such as lab, xyz@d50, linear:display-p3; see --list", options.to);
-  line.option("--adapt", choices(kAdaptations), "from white to white; default: bradford",
+  line.option("--adapt", list_names(kAdaptations, "|"), "from white to white; default: bradford",
               [&](const std::string& v) {
                 const AdaptationMethod* method = find_by_name(kAdaptations, v);
                 if (method == nullptr) {

@@ -62,11 +62,11 @@ std::string table_text(const Json& facts) {
                      rounded(facts["largest_lstar_step"], 4) +
                      " L*\n   j  I_j                     V_j\n";
   for (std::size_t j = 0; j < facts["V"].size(); ++j) {
-    std::string index = std::to_string(j);
+    const std::string index = std::to_string(j);
     std::string intensity = shortest(facts["I"][j]);
     intensity.resize(std::max<std::size_t>(24, intensity.size() + 1), ' ');
-    text += std::string(index.size() < 4 ? 4 - index.size() : 0, ' ') + index + "  " + intensity +
-            facts["V"][j].dump() + "\n";
+    text.append(index.size() < 4 ? 4 - index.size() : 0, ' ');
+    text += index + "  " + intensity + facts["V"][j].dump() + "\n";
   }
   return text;
 }
@@ -111,7 +111,7 @@ void declare(CommandLine& line, Options& options) {
       [&](const std::string& v) { options.k = number_option("--k", v, 1e-300, 1e300, "above 0"); });
   line.option("--vmax", "V", "highest code; default: 255",
               [&](const std::string& v) { options.vmax = integer_option("--vmax", v, 1, 65535); });
-  line.option("--spacing", choices(level_spacings()), "of the levels; default: ratio",
+  line.option("--spacing", list_names(level_spacings(), "|"), "of the levels; default: ratio",
               [&](const std::string& v) {
                 options.table.spacing = find_by_name(level_spacings(), v);
                 if (options.table.spacing == nullptr) {

@@ -62,7 +62,7 @@ bool is_link(const std::string& path) {
 
 std::string canonical(const std::string& path) {
   std::error_code failed;
-  const fs::path name = fs::weakly_canonical(path, failed);
+  const fs::path name = fs::weakly_canonical(fs::absolute(path), failed);
   return failed ? path : name.lexically_normal().string();
 }
 

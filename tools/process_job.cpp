@@ -44,7 +44,9 @@ std::optional<PaletteChoice> palette_to_choose(const Display& display, const Set
   if (settings.palette.method != nullptr) return settings.palette;
   const bool has_codes = !display.palette.empty() || !display.frame.packing.indexed;
   if (has_codes) return std::nullopt;
-  return PaletteChoice{find_by_name(kPaletteMethods, "median-cut"), 0};
+  constexpr const PaletteMethod& kUsual = kPaletteMethods[1];
+  static_assert(kUsual.name == "median-cut");
+  return PaletteChoice{&kUsual, 0};
 }
 
 Display with_chosen_palette(const Display& display, const PaletteChoice& choice,

@@ -29,7 +29,7 @@ void set_size(SpheresOptions& options, const std::string& text) {
   const auto good = [](auto side) { return side && *side >= 1 && *side <= kMostSide; };
   if (!good(width) || !good(height)) {
     throw Error(ErrorKind::kMisuse, "--size", "'" + text + "' is no size",
-                "give WIDTHxHEIGHT in pixels, such as 1280x720; at most 65536 a side");
+                "give WIDTHxHEIGHT in pixels, at most 65536 a side: 1280x720");
   }
   options.width = static_cast<int>(*width);
   options.height = static_cast<int>(*height);
@@ -44,7 +44,7 @@ void check_output(const std::string& output) {
   const bool stream = output == "-" || output.starts_with("/dev/");
   if (stream || same_name(path.extension().string(), ".exr")) return;
   throw Error(ErrorKind::kMisuse, output, "does not end in .exr",
-              "render writes EXR; make other formats of it with tristim process");
+              "render writes EXR, tristim process makes other formats of it");
 }
 
 }  // namespace

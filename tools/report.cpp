@@ -16,7 +16,9 @@ std::string steps_text(const std::vector<StepReport>& steps) {
     std::size_t width = 0;
     for (const auto& [name, value] : step.numbers) width = std::max(width, name.size());
     for (const auto& [name, value] : step.numbers) {
-      text += "     " + name + std::string(width - name.size() + 2, ' ') + value + "\n";
+      text += "     " + name;
+      text.append(width - name.size() + 2, ' ');
+      text += value + "\n";
     }
   }
   return text;

@@ -1,5 +1,7 @@
 #include "tristim/palette/metric.h"
 
+#include <algorithm>
+
 #include "lib/color/curve_table.h"
 #include "tristim/color/lab.h"
 #include "tristim/color/oklab.h"
@@ -41,6 +43,9 @@ std::array<float, 3> lab_place(Rgb linear_srgb) noexcept {
 }
 
 std::array<float, 3> luv_place(Rgb linear_srgb) noexcept {
+  // Chromaticities have no meaning below black, where diffused errors go.
+  linear_srgb = {std::max(linear_srgb.r, 0.0), std::max(linear_srgb.g, 0.0),
+                 std::max(linear_srgb.b, 0.0)};
   const Luv c = xyz_to_luv(srgb_xyz(linear_srgb), white_xyz(kD65));
   return floats(c.l, c.u, c.v);
 }

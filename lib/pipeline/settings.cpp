@@ -206,15 +206,15 @@ std::span<const Setting> settings_list() {
 
 void read_pipeline_file(const std::string& path, Settings& settings) {
   const detail::TomlTable table = detail::TomlTable::parse(read_text_file(path), path);
+  for (const Setting& setting : settings_list()) (void)table.has(setting.name);
   for (const std::string& key : table.keys()) {
     const Setting* setting = find_by_name(settings_list(), key);
-    if (setting == nullptr) {
-      table.fail(key, "unknown key '" + key + "'", name_hint(settings_list(), key));
-    }
+    if (setting == nullptr) continue;  // finish() tells its place
     if (const auto refusal = setting->set(settings, table.scalar_text(key))) {
       table.fail(key, refusal->wrong, refusal->remedy);
     }
   }
+  table.finish();
 }
 
 }  // namespace tristim

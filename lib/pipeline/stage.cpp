@@ -51,8 +51,9 @@ void apply_stage(const ConvertPrimaries& stage, Band band, StageCounts&) {
   });
 }
 
+// The slack below 0 is of the colour itself: a fixed one would turn the hue of dark colours.
 bool inside(const Eigen::Vector3d& rgb, double slack) {
-  return rgb.minCoeff() >= -slack && rgb.maxCoeff() <= 1 + slack;
+  return rgb.minCoeff() >= -slack * rgb.maxCoeff() && rgb.maxCoeff() <= 1 + slack;
 }
 
 // The largest chroma inside by halving: the neutral axis is inside, and gamuts are nearly

@@ -19,7 +19,7 @@ std::array<float, 3> oklab_place(Rgb linear_srgb) noexcept;
 /// entries. For choosing while dithering, where colours go below black.
 std::array<float, 3> oklab_toe_place(Rgb linear_srgb) noexcept;
 std::array<float, 3> lab_place(Rgb linear_srgb) noexcept;
-std::array<float, 3> luv_place(Rgb linear_srgb) noexcept;
+std::array<float, 3> luv_place(Rgb linear_srgb) noexcept;  // clipped below 0
 std::array<float, 3> linear_place(Rgb linear_srgb) noexcept;
 std::array<float, 3> encoded_place(Rgb linear_srgb) noexcept;  // of [0, 1]; clipped beyond
 
