@@ -1,0 +1,123 @@
+#include "tristim/palette/hull.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace tristim {
+namespace {
+
+using Color = PaletteHull::Color;
+using Colors = std::vector<Color>;
+
+const Colors kCube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                   {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+const Colors kTetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+float unit() { return static_cast<float>(*rc::gen::inRange(0, 10001)) / 10000.0F; }
+Color any_color() { return {unit(), unit(), unit()}; }
+
+double luminance(const Color& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
+
+// A convex mixture of the entries with every weight above 0.
+Color mixture(const Colors& entries) {
+  std::vector<double> weights;
+  double sum = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    weights.push_back(*rc::gen::inRange(20, 1000));
+    sum += weights.back();
+  }
+  Color mixed{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    double value = 0;
+    for (std::size_t i = 0; i < entries.size(); ++i) value += weights[i] / sum * entries[i][c];
+    mixed[c] = static_cast<float>(value);
+  }
+  return mixed;
+}
+
+TEST(PaletteHull, LeavesTheCubeAlone) {
+  const PaletteHull hull(kCube);
+  for (const Color& corner : kCube) EXPECT_EQ(hull.inside(corner), corner);
+  EXPECT_EQ(hull.inside({0.3F, 0.9F, 0.1F}), (Color{0.3F, 0.9F, 0.1F}));
+}
+
+// On the plane r + g + b = 1, on the way to the grey of the same luminance.
+TEST(PaletteHull, MovesAColourToTheFirstPointInsideOnTheWayToGrey) {
+  const PaletteHull hull(kTetrahedron);
+  const Color wanted{0.9F, 0.2F, 0.3F};  // luminance .356: grey is outside too, as 3 x .356 > 1
+  const Color moved = hull.inside(wanted);
+  EXPECT_NEAR(moved[0] + moved[1] + moved[2], 1, 1e-6);
+  const Color dark{0.9F, 0.05F, 0.15F};  // luminance .238: its grey is inside
+  const Color kept = hull.inside(dark);
+  EXPECT_NEAR(kept[0] + kept[1] + kept[2], 1, 1e-6);
+  EXPECT_NEAR(luminance(kept), luminance(dark), 1e-6);
+}
+
+RC_GTEST_PROP(PaletteHull, LeavesMixturesUntouched, ()) {
+  Colors entries;
+  const int count = *rc::gen::inRange(4, 20);
+  for (int i = 0; i < count; ++i) entries.push_back(any_color());
+  const PaletteHull hull(entries);
+  const Color color = mixture(entries);
+  const Color same = hull.inside(color);
+  for (std::size_t c = 0; c < 3; ++c) RC_ASSERT(std::fabs(same[c] - color[c]) <= 1e-5F);
+}
+
+// Whether one of many directions separates `color` from the entries by more than `slack`.
+bool separated(const Colors& entries, const Color& color, double slack) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 2000; ++i) {
+    double d[3] = {normal(random), normal(random), normal(random)};
+    const double length = std::hypot(d[0], d[1], d[2]);
+    const auto height = [&](const Color& c) {
+      return (d[0] * c[0] + d[1] * c[1] + d[2] * c[2]) / length;
+    };
+    double highest = -10;
+    for (const Color& entry : entries) highest = std::max(highest, height(entry));
+    if (height(color) > highest + slack) return true;
+  }
+  return false;
+}
+
+RC_GTEST_PROP(PaletteHull, BringsEveryColourInside, ()) {
+  Colors entries = kTetrahedron;  // so that the hull has a volume
+  const int count = *rc::gen::inRange(0, 16);
+  for (int i = 0; i < count; ++i) entries.push_back(any_color());
+  const Color color = any_color();
+  const Color moved = PaletteHull(entries).inside(color);
+  RC_ASSERT(!separated(entries, moved, 1e-6));
+}
+
+TEST(PaletteHull, OfAFlatPaletteLeavesEverythingAlone) {
+  const Color color{0.9F, 0.1F, 0.4F};
+  for (const Colors& entries :
+       {Colors{}, Colors{{0.5F, 0.5F, 0.5F}}, Colors{{0, 0, 0}, {1, 1, 1}},
+        Colors{{0, 0, 0}, {1, 1, 1}, {0.5F, 0.5F, 0.5F}, {0.2F, 0.2F, 0.2F}},  // greys
+        Colors{{0, 0, 0}, {1, 1, 1}, {1, 0, 0}},                               // a duotone
+        Colors{{0, 0, 0}, {1, 1, 1}, {1, 0, 0}, {0.5F, 0, 0}},                 // one plane
+        Colors{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}}}) {
+    EXPECT_EQ(PaletteHull(entries).inside(color), color);
+  }
+}
+
+TEST(PaletteHull, TakesRepeatedEntries) {
+  Colors twice = kTetrahedron;
+  twice.insert(twice.end(), kTetrahedron.begin(), kTetrahedron.end());
+  const Color outside{0.9F, 0.8F, 0.7F};
+  EXPECT_EQ(PaletteHull(twice).inside(outside), PaletteHull(kTetrahedron).inside(outside));
+}
+
+TEST(PaletteHull, LeavesEverythingAloneForLargePalettes) {
+  Colors many(PaletteHull::kMost + 1, Color{0.5F, 0.5F, 0.5F});
+  many[0] = {0, 0, 0};
+  EXPECT_EQ(PaletteHull(many).inside({1, 0, 0}), (Color{1, 0, 0}));
+}
+
+}  // namespace
+}  // namespace tristim
