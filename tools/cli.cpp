@@ -152,6 +152,16 @@ void CommandLine::flag(const std::string& names, const std::string& help, bool& 
   state_->sections.back().entries.push_back({shown_names(names), help});
 }
 
+void CommandLine::toggle(const std::string& name, const std::string& help,
+                         std::function<void(const std::string&)> set) {
+  for (const bool on : {true, false}) {
+    state_->app
+        .add_flag_callback((on ? "--" : "--no-") + name, [set, on] { set(on ? "true" : "false"); })
+        ->disable_flag_override();
+  }
+  state_->sections.back().entries.push_back({"--" + name + ", --no-" + name, help});
+}
+
 void CommandLine::section(const std::string& title) { state_->sections.push_back({title, {}}); }
 
 bool CommandLine::parse(Arguments arguments) {

@@ -38,6 +38,11 @@ class CommandLine {
               std::function<void(const std::string&)> set);
   void flag(const std::string& names, const std::string& help, bool& value);
 
+  /// A switch with both positions, --name and --no-name; `set` gets "true" or "false" where one is
+  /// given.
+  void toggle(const std::string& name, const std::string& help,
+              std::function<void(const std::string&)> set);
+
   /// Begins a section of the help page; what is declared next stands in it.
   void section(const std::string& title);
 

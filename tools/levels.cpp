@@ -66,7 +66,7 @@ std::string table_text(const Json& facts) {
     std::string intensity = shortest(facts["I"][j]);
     intensity.resize(std::max<std::size_t>(24, intensity.size() + 1), ' ');
     text.append(index.size() < 4 ? 4 - index.size() : 0, ' ');
-    text += index + "  " + intensity + facts["V"][j].dump() + "\n";
+    text.append(index).append("  ").append(intensity).append(facts["V"][j].dump()).append("\n");
   }
   return text;
 }

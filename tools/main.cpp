@@ -20,7 +20,10 @@ extern "C" void end_by_signal(int signal_number) {
 }
 
 void set_up_signals() {
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, end_by_signal);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    // What the parent has it ignore, as nohup does, stays ignored.
+    if (std::signal(number, SIG_IGN) != SIG_IGN) std::signal(number, end_by_signal);
+  }
   std::signal(SIGPIPE, SIG_IGN);  // a lost reader is an error of write()
   std::signal(SIGXFSZ, SIG_IGN);  // as is a file size limit
 }

@@ -45,7 +45,7 @@ void declare(CommandLine& line, ProcessOptions& options, std::string& pipeline) 
       [&](const std::string& v) { options.png_level = integer_option("--png-level", v, 0, 9); });
   line.option(
       "--threads", "N", "default: one for each processor; the result is the same",
-      [&](const std::string& v) { options.threads = integer_option("--threads", v, 0, 1024); });
+      [&](const std::string& v) { options.threads = integer_option("--threads", v, 0, 256); });
   line.flag("--explain", "print every step with its numbers, formula and source", options.explain);
   line.flag("--json", "print the facts as JSON, a line a picture", options.json);
   line.flag("-f,--force", "replace existing files", options.force);
@@ -58,19 +58,17 @@ struct GivenSetting {
   std::string value;
 };
 
-void declare_settings(CommandLine& line, std::vector<GivenSetting>& given,
-                      std::vector<std::unique_ptr<bool>>& flags) {
+void declare_settings(CommandLine& line, std::vector<GivenSetting>& given) {
   line.section("Settings, also keys of a pipeline file (exposure = -1)");
   for (const Setting& setting : settings_list()) {
-    const std::string name = "--" + std::string(setting.name);
-    if (setting.argument.empty()) {
-      flags.push_back(std::make_unique<bool>(false));
-      line.flag(name, setting.help, *flags.back());
-      continue;
-    }
-    line.option(name, setting.argument, setting.help, [&given, &setting](const std::string& value) {
+    const auto keep = [&given, &setting](const std::string& value) {
       given.push_back({&setting, value});
-    });
+    };
+    if (setting.argument.empty()) {
+      line.toggle(std::string(setting.name), setting.help, keep);
+    } else {
+      line.option("--" + std::string(setting.name), setting.argument, setting.help, keep);
+    }
   }
 }
 
@@ -81,14 +79,8 @@ void apply_setting(Settings& settings, const Setting& setting, const std::string
   }
 }
 
-void apply_settings(Settings& settings, const std::vector<GivenSetting>& given,
-                    const std::vector<std::unique_ptr<bool>>& flags) {
+void apply_settings(Settings& settings, const std::vector<GivenSetting>& given) {
   for (const GivenSetting& one : given) apply_setting(settings, *one.setting, one.value);
-  std::size_t flag = 0;
-  for (const Setting& setting : settings_list()) {
-    if (!setting.argument.empty()) continue;
-    if (*flags[flag++]) apply_setting(settings, setting, "true");
-  }
 }
 
 // The streams by one name, so that nothing is asked of them twice.
@@ -170,16 +162,15 @@ void run_process(Arguments arguments) {
   ProcessOptions options;
   std::string pipeline;
   std::vector<GivenSetting> given;
-  std::vector<std::unique_ptr<bool>> flags;
   CommandLine line(*find_by_name(kCommands, "process"), kExamples);
   declare(line, options, pipeline);
-  declare_settings(line, given, flags);
+  declare_settings(line, given);
   if (!line.parse(arguments)) return;
   check(options);
   name_streams(options);
   check_streams(options, pipeline);
   if (!pipeline.empty()) read_pipeline_file(pipeline, options.settings);
-  apply_settings(options.settings, given, flags);
+  apply_settings(options.settings, given);
   const Display device = load_display(options.device);
   for (Job& job : jobs_of(options, pipeline)) process_picture(options, device, std::move(job));
 }

@@ -143,8 +143,8 @@ void process_picture(const ProcessOptions& options, const Display& device, Job j
   std::unique_ptr<CodeSink> proof_sink;
   std::optional<ProofObserver> proof;
   std::optional<DifferenceObserver> difference;
-  Progress progress(job.input, info.height);
-  std::vector<BandObserver*> observers{&progress};
+  std::optional<Progress> progress(std::in_place, job.input, info.height);
+  std::vector<BandObserver*> observers{&*progress};
   if (!job.proof.empty()) {
     proof_sink = open_proof(options, job.proof, info);
     observers.push_back(&proof.emplace(display, *proof_sink));
@@ -153,6 +153,7 @@ void process_picture(const ProcessOptions& options, const Display& device, Job j
   }
   job.counts =
       run(*picture, stages.stages, reducer, *sink, observers, {.threads = options.threads});
+  progress.reset();  // its line is free again
   sink->finish();
   if (proof_sink) proof_sink->finish();
   if (difference) job.mean_ciede2000 = difference->mean_ciede2000();

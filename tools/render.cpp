@@ -64,7 +64,7 @@ void run_render(Arguments arguments) {
   });
   line.option(
       "--threads", "N", "default: one for each processor; the result is the same",
-      [&](const std::string& v) { options.threads = integer_option("--threads", v, 0, 1024); });
+      [&](const std::string& v) { options.threads = integer_option("--threads", v, 0, 256); });
   line.flag("-f,--force", "replace an existing file", force);
   if (!line.parse(arguments)) return;
   if (find_by_name(kScenes, scenes[0]) == nullptr) {

@@ -4,18 +4,51 @@
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "lib/core/parallel.h"
 
 namespace tristim::detail {
 namespace {
 
-using Item = std::shared_ptr<void>;
+using Slot = void**;
+
+// The items under way. oneTBB forgets those that it holds when an exception ends a pipeline, so
+// they are owned here; an item is in its slot from produce to discard.
+class Slots {
+ public:
+  Slots(std::size_t count, const OrderedSteps& steps) : items_(count), steps_(steps) {}
+  ~Slots() {
+    for (void* item : items_) {
+      if (item != nullptr) steps_.discard(item);
+    }
+  }
+  Slots(const Slots&) = delete;
+  Slots& operator=(const Slots&) = delete;
+
+  // In order: as no more items are under way than there are slots, the next one is free.
+  Slot put(void* item) {
+    const Slot slot = &items_[next_++ % items_.size()];
+    *slot = item;
+    return slot;
+  }
+
+  void discard(Slot slot) {
+    steps_.discard(*slot);
+    *slot = nullptr;
+  }
+
+ private:
+  std::vector<void*> items_;
+  std::size_t next_ = 0;
+  const OrderedSteps& steps_;
+};
 
 void run_alone(const OrderedSteps& steps) {
   while (void* made = steps.produce()) {
-    const Item item(made, steps.discard);
+    const std::shared_ptr<void> item(made, steps.discard);
     steps.work(made);
     steps.settle(made);
     steps.consume(made);
@@ -28,31 +61,34 @@ void run_ordered(const OrderedSteps& steps, int threads) {
   const int count = thread_count(threads);
   if (count == 1) return run_alone(steps);
   namespace tbb = oneapi::tbb;
-  const auto source = [&](tbb::flow_control& control) -> Item {
+  const std::size_t most = static_cast<std::size_t>(count) + 2;
+  Slots slots(most, steps);
+  const auto source = [&](tbb::flow_control& control) -> Slot {
     void* made = steps.produce();
-    if (made == nullptr) {
-      control.stop();
-      return {};
-    }
-    return {made, steps.discard};
+    if (made != nullptr) return slots.put(made);
+    control.stop();
+    return nullptr;
   };
   const auto pass = [](const std::function<void(void*)>& step) {
-    return [&step](Item item) {
-      step(item.get());
-      return item;
+    return [&step](Slot slot) {
+      step(*slot);
+      return slot;
     };
   };
-  const auto last = [&](const Item& item) { steps.consume(item.get()); };
+  const auto last = [&](Slot slot) {
+    steps.consume(*slot);
+    slots.discard(slot);
+  };
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(count));
   tbb::task_arena arena(count);
   arena.execute([&] {
     tbb::parallel_pipeline(
-        static_cast<std::size_t>(count) + 2,
-        tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order, source) &
-            tbb::make_filter<Item, Item>(tbb::filter_mode::parallel, pass(steps.work)) &
-            tbb::make_filter<Item, Item>(tbb::filter_mode::serial_in_order, pass(steps.settle)) &
-            tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, last));
+        most,
+        tbb::make_filter<void, Slot>(tbb::filter_mode::serial_in_order, source) &
+            tbb::make_filter<Slot, Slot>(tbb::filter_mode::parallel, pass(steps.work)) &
+            tbb::make_filter<Slot, Slot>(tbb::filter_mode::serial_in_order, pass(steps.settle)) &
+            tbb::make_filter<Slot, void>(tbb::filter_mode::serial_in_order, last));
   });
 }
 

@@ -30,6 +30,15 @@ std::vector<PaletteEntry> colour_table(const Display& display) {
   return table;
 }
 
+// The curve of the codes, where a tag of the file formats describes it.
+void tag_curve(const Display& display, FrameInfo& info) {
+  const bool srgb_curve = std::holds_alternative<SrgbResponse>(display.response);
+  info.srgb = srgb_curve && display.primaries == Primaries{};
+  if (const auto* gamma = std::get_if<GammaResponse>(&display.response)) info.gamma = gamma->gamma;
+  if (std::holds_alternative<LinearResponse>(display.response)) info.gamma = 1;
+  if (std::holds_alternative<Bt1886Response>(display.response)) info.gamma = 2.4;
+}
+
 }  // namespace
 
 Decoder::Decoder(const Display& display) : samples_(display.frame.packing.samples) {
@@ -76,12 +85,9 @@ FrameInfo frame_info(const Display& display, int width, int height) {
   info.primaries = display.primaries;
   info.device = display.name;
   if (display.dots) info.dpi = display.dots->dpi;
-  const bool srgb_curve = std::holds_alternative<SrgbResponse>(display.response);
-  info.srgb = srgb_curve && display.primaries == Primaries{};
-  if (const auto* gamma = std::get_if<GammaResponse>(&display.response)) info.gamma = gamma->gamma;
-  if (std::holds_alternative<LinearResponse>(display.response)) info.gamma = 1;
-  if (std::holds_alternative<Bt1886Response>(display.response)) info.gamma = 2.4;
-  if (display.levels && display.frame.store == Store::kIndex && is_monochrome(display)) {
+  const bool indices = display.levels && display.frame.store == Store::kIndex;
+  if (!indices) tag_curve(display, info);
+  if (indices && is_monochrome(display)) {
     info.palette = colour_table(display);
     return info;
   }

@@ -105,7 +105,8 @@ std::string row_text(const Eigen::Matrix3d& m, int row) {
   return shortest(m(row, 0)) + " " + shortest(m(row, 1)) + " " + shortest(m(row, 2));
 }
 
-std::string xy(Chromaticity c) { return shortest(c.x) + " " + shortest(c.y); }
+// 7 digits: files keep chromaticities as floats.
+std::string xy(Chromaticity c) { return rounded(c.x, 7) + " " + rounded(c.y, 7); }
 
 StepReport explain_stage(const Exposure& stage) {
   return {"exposure",

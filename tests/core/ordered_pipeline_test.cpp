@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace tristim::detail {
@@ -21,6 +23,8 @@ struct Line {
       return new int(made++);
     };
     steps.work = [this](void* item) {
+      // The first is late, so that others wait for their turn when something fails.
+      if (number(item) == 0) std::this_thread::sleep_for(late);
       fail("work", number(item));
       number(item) += 1000;
     };
@@ -47,6 +51,7 @@ struct Line {
   int count;
   std::string failing_step;
   int failing_item = -1;
+  std::chrono::milliseconds late{0};
   OrderedSteps steps;
   int made = 0;
   int most_under_way = 0;
@@ -85,6 +90,7 @@ TEST(RunOrdered, HandsOnTheExceptionOfAnyStepAndDiscardsEverything) {
         Line line(60);
         line.failing_step = step;
         line.failing_item = item;
+        line.late = std::chrono::milliseconds(2);
         try {
           run_ordered(line.steps, threads);
           ADD_FAILURE() << "no exception";

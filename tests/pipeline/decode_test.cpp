@@ -90,6 +90,15 @@ TEST(FrameInfo, TagsWhatTheCodesAre) {
   EXPECT_FALSE(frame_info({.primaries = {.white = kD50}}, 1, 1).srgb);
 }
 
+TEST(FrameInfo, TagsNoCurveWhereTheCodesAreIndicesOfLevels) {
+  for (const Response& response : {Response{SrgbResponse{}}, Response{GammaResponse{}}}) {
+    Display display{.response = response, .levels = LevelTable{}};
+    display.frame.store = Store::kIndex;
+    EXPECT_FALSE(frame_info(display, 1, 1).srgb);
+    EXPECT_FALSE(frame_info(display, 1, 1).gamma);
+  }
+}
+
 TEST(FrameInfo, KeepsThePaletteInItsOrderWithItsCodes) {
   const Display vga = load_display("vga16");
   const FrameInfo info = frame_info(vga, 1, 1);

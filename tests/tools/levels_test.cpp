@@ -5,9 +5,9 @@
 namespace tristim {
 namespace {
 
-class Levels : public CommandTest {};
+class LevelsCommand : public CommandTest {};
 
-TEST_F(Levels, PrintsTheTableAsJson) {
+TEST_F(LevelsCommand, PrintsTheTableAsJson) {
   const auto table = parsed(good("levels --n 7 --i0 0.1 --gamma 2.2 --vmax 255 --json"));
   EXPECT_EQ(table["I0"], 0.1);
   EXPECT_EQ(table["n"], 7);
@@ -24,7 +24,7 @@ TEST_F(Levels, PrintsTheTableAsJson) {
   EXPECT_EQ(table["I"][7], 1);
 }
 
-TEST_F(Levels, PrintsTheTableAsText) {
+TEST_F(LevelsCommand, PrintsTheTableAsText) {
   const std::string text = good("levels --n 3");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6) << text;
   EXPECT_NE(text.find("dynamic range 50"), std::string::npos);
@@ -33,7 +33,7 @@ TEST_F(Levels, PrintsTheTableAsText) {
   EXPECT_NE(text.find("   3  1                       255\n"), std::string::npos) << text;
 }
 
-TEST_F(Levels, PrintsAHeaderThatCompiles) {
+TEST_F(LevelsCommand, PrintsAHeaderThatCompiles) {
   write("table.h", good("levels --n 40 --vmax 1023 --c"));
   const CommandResult compiled = shell(
       "printf '#include \"table.h\"\\nint main(void) { return level_codes[LEVEL_COUNT - 1] == 1023 "
@@ -42,7 +42,7 @@ TEST_F(Levels, PrintsAHeaderThatCompiles) {
   EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
 }
 
-TEST_F(Levels, FindsTheNearestLevel) {
+TEST_F(LevelsCommand, FindsTheNearestLevel) {
   EXPECT_EQ(good("levels --n 15 --i0 0.02 --nearest 0.2"), "9\n");
   EXPECT_EQ(good("levels --n 15 --i0 0.02 --nearest -1,0,0.02,nan,1,inf"),
             "0\n0\n0\nnone\n15\n15\n");
@@ -50,7 +50,7 @@ TEST_F(Levels, FindsTheNearestLevel) {
             nlohmann::json::array({9, nullptr}));
 }
 
-TEST_F(Levels, RefusesValuesOutOfRange) {
+TEST_F(LevelsCommand, RefusesValuesOutOfRange) {
   const std::string whole = "give a whole number from 1 to 65535";
   refuses("levels --n 0", 2, "--n: '0' is out of range; " + whole);
   refuses("levels --n -3", 2, "--n: '-3' is out of range; " + whole);

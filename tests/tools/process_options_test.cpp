@@ -40,8 +40,8 @@ TEST_F(ProcessOptions, RefusesNumbersThatAreNone) {
   for (const std::string value : {"0x0", "-4x4", "4x4x4", "x", "99999999999999999999x4", "1.5x2"}) {
     refuses_value("size", value, "'" + value + "' is no size; " + size);
   }
-  refuses_value("threads", "-1", "'-1' is out of range; give a whole number from 0 to 1024");
-  refuses_value("threads", "two", "'two' is no whole number; give a whole number from 0 to 1024");
+  refuses_value("threads", "-1", "'-1' is out of range; give a whole number from 0 to 256");
+  refuses_value("threads", "two", "'two' is no whole number; give a whole number from 0 to 256");
   refuses_value("png-level", "10", "'10' is out of range; give a whole number from 0 to 9");
   refuses_value("rotate", "45", "'45' is no rotation; give 0, 90, 180 or 270 degrees clockwise");
   refuses_value("tone-map", "reinhard:0",

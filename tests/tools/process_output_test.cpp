@@ -186,6 +186,15 @@ TEST_F(ProcessOutput, LeavesNothingBehindWhenInterrupted) {
   }
 }
 
+TEST_F(ProcessOutput, GoesOnUnderNohup) {
+  const CommandResult result = shell(
+      "trap '' HUP\n"
+      "tristim process s.exr -d vga16 --size 1200x1200 --quiet -o o.png & job=$!\n"
+      "sleep 0.05; kill -HUP $job; wait $job");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(exists("o.png"));
+}
+
 TEST_F(ProcessOutput, LeavesNothingBehindWhenAnInputIsCutOff) {
   write("cut.exr", read("s.exr").substr(0, 6000));
   const CommandResult result =
