@@ -3,14 +3,20 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace tristim {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kFlat = 1e-7;  // thinner than any device's step of light
+constexpr double kThin =
+    1e-4;  // a palette thinner than this has no volume: greys off the axis by rounding
+
+const Vector3d kLuminance(0.2126, 0.7152, 0.0722);
 
 struct Face {
   Vector3d normal = Vector3d::Zero();  // unit, outwards
@@ -21,64 +27,114 @@ bool same(const Face& a, const Face& b) {
   return (a.normal - b.normal).norm() < kFlat && std::abs(a.distance - b.distance) < kFlat;
 }
 
-// The plane of three entries where all others lie on one side of it.
-enum class Side { kNone, kFace, kFlatHull };
-
-Side face_through(const std::vector<Vector3d>& points, std::size_t i, std::size_t j, std::size_t k,
-                  Face& face) {
-  const Vector3d cross = (points[j] - points[i]).cross(points[k] - points[i]);
-  if (cross.norm() < kFlat * kFlat) return Side::kNone;
-  const Vector3d normal = cross.normalized();
+// Adds the face with this normal through `point`, on whichever side all points are; nothing where
+// they are on both.
+void add_face(const std::vector<Vector3d>& points, const Vector3d& point, const Vector3d& along,
+              std::vector<Face>& faces) {
+  if (along.norm() < kFlat * kFlat) return;
+  const Vector3d normal = along.normalized();
   double low = 0;
   double high = 0;
   for (const Vector3d& p : points) {
-    const double height = normal.dot(p - points[i]);
+    const double height = normal.dot(p - point);
     low = std::min(low, height);
     high = std::max(high, height);
   }
-  if (high < kFlat && low > -kFlat) return Side::kFlatHull;
-  if (high >= kFlat && low <= -kFlat) return Side::kNone;
+  if (high >= kFlat && low <= -kFlat) return;
   const double sign = high < kFlat ? 1 : -1;
-  face = {sign * normal, sign * normal.dot(points[i])};
-  return Side::kFace;
+  const Face face{sign * normal, sign * normal.dot(point)};
+  const bool known =
+      std::any_of(faces.begin(), faces.end(), [&](const Face& f) { return same(f, face); });
+  if (!known) faces.push_back(face);
 }
 
-// Every face once; none where the hull has no volume. All triples: palettes of this size are small.
-std::vector<Face> faces_of(const std::vector<Vector3d>& points) {
+// Orthonormal directions that the points span about their mean: 0 to 3 of them. By the farthest
+// point each time, so that it is the same on every processor.
+std::vector<Vector3d> span_of(const std::vector<Vector3d>& points, const Vector3d& mean) {
+  std::vector<Vector3d> basis;
+  while (basis.size() < 3) {
+    Vector3d farthest = Vector3d::Zero();
+    for (const Vector3d& p : points) {
+      Vector3d rest = p - mean;
+      for (const Vector3d& b : basis) rest -= b.dot(rest) * b;
+      if (rest.norm() > farthest.norm()) farthest = rest;
+    }
+    if (farthest.norm() < kThin) break;
+    basis.push_back(farthest.normalized());
+  }
+  return basis;
+}
+
+// Faces of the hull within what its points span. All pairs or triples: palettes of this size are
+// small.
+std::vector<Face> faces_of(const std::vector<Vector3d>& points,
+                           const std::vector<Vector3d>& basis) {
   std::vector<Face> faces;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
-      for (std::size_t k = j + 1; k < points.size(); ++k) {
-        Face face;
-        const Side side = face_through(points, i, j, k, face);
-        if (side == Side::kFlatHull) return {};
-        const bool known =
-            std::any_of(faces.begin(), faces.end(), [&](const Face& f) { return same(f, face); });
-        if (side == Side::kFace && !known) faces.push_back(face);
+    if (basis.size() == 1) add_face(points, points[i], basis[0], faces);
+    for (std::size_t j = i + 1; basis.size() >= 2 && j < points.size(); ++j) {
+      const Vector3d edge = points[j] - points[i];
+      if (basis.size() == 2)
+        add_face(points, points[i], basis[0].cross(basis[1]).cross(edge), faces);
+      for (std::size_t k = j + 1; basis.size() == 3 && k < points.size(); ++k) {
+        add_face(points, points[i], edge.cross(points[k] - points[i]), faces);
       }
     }
   }
   return faces;
 }
 
+// To the nearest point of what the basis spans that has the same luminance: of p - c, B t with t =
+// B'(p - c) - lambda a, a = B'w, w.B t = w.(p - c). Where the span has one luminance only, to the
+// nearest point.
+Matrix3d flattening(const std::vector<Vector3d>& basis) {
+  Matrix3d nearest = Matrix3d::Zero();
+  for (const Vector3d& b : basis) nearest += b * b.transpose();
+  const Vector3d slope = nearest * kLuminance;
+  const double slope2 = slope.squaredNorm();
+  if (slope2 < kThin) return nearest;
+  return nearest + slope * (kLuminance - nearest * kLuminance).transpose() / slope2;
+}
+
 }  // namespace
 
 PaletteHull::PaletteHull(std::span<const Color> entries) {
-  if (entries.size() > kMost) return;
+  if (entries.size() > kMost || entries.empty()) return;
   std::vector<Vector3d> points;
   Vector3d sum = Vector3d::Zero();
   for (const Color& c : entries) {
     points.emplace_back(c[0], c[1], c[2]);
     sum += points.back();
   }
-  for (const Face& face : faces_of(points)) {
+  const Vector3d mean = sum / static_cast<double>(entries.size());
+  centre_ = {static_cast<float>(mean.x()), static_cast<float>(mean.y()),
+             static_cast<float>(mean.z())};
+  const std::vector<Vector3d> basis = span_of(points, mean);
+  flat_ = basis.size() < 3;
+  const Matrix3d flatten = flattening(basis);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      flatten_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+          static_cast<float>(flatten(row, column));
+    }
+  }
+  for (const Face& face : faces_of(points, basis)) {
     faces_.push_back({{static_cast<float>(face.normal.x()), static_cast<float>(face.normal.y()),
                        static_cast<float>(face.normal.z())},
                       static_cast<float>(face.distance)});
   }
-  const Vector3d mean = sum / static_cast<double>(entries.size());
-  centre_ = {static_cast<float>(mean.x()), static_cast<float>(mean.y()),
-             static_cast<float>(mean.z())};
+}
+
+PaletteHull::Color PaletteHull::flattened(const Color& color) const noexcept {
+  if (!flat_) return color;
+  constexpr float kRounding = 1e-6F;  // a colour that lies there already stays as it is
+  Color moved = centre_;
+  float way = 0;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t c = 0; c < 3; ++c) moved[row] += flatten_[row][c] * (color[c] - centre_[c]);
+    way = std::max(way, std::abs(moved[row] - color[row]));
+  }
+  return way < kRounding ? color : moved;
 }
 
 // The first point inside on the straight way from `color` to `anchor`, which is inside.
@@ -101,7 +157,7 @@ PaletteHull::Color PaletteHull::towards(const Color& color, const Color& anchor)
 PaletteHull::Color PaletteHull::inside(const Color& color) const noexcept {
   if (faces_.empty()) return color;
   const float grey = 0.2126F * color[0] + 0.7152F * color[1] + 0.0722F * color[2];
-  return towards(color, towards({grey, grey, grey}, centre_));
+  return towards(flattened(color), towards(flattened({grey, grey, grey}), centre_));
 }
 
 }  // namespace tristim

@@ -94,16 +94,29 @@ RC_GTEST_PROP(PaletteHull, BringsEveryColourInside, ()) {
   RC_ASSERT(!separated(entries, moved, 1e-6));
 }
 
-TEST(PaletteHull, OfAFlatPaletteLeavesEverythingAlone) {
+TEST(PaletteHull, OfOneColourLeavesEverythingAlone) {
   const Color color{0.9F, 0.1F, 0.4F};
-  for (const Colors& entries :
-       {Colors{}, Colors{{0.5F, 0.5F, 0.5F}}, Colors{{0, 0, 0}, {1, 1, 1}},
-        Colors{{0, 0, 0}, {1, 1, 1}, {0.5F, 0.5F, 0.5F}, {0.2F, 0.2F, 0.2F}},  // greys
-        Colors{{0, 0, 0}, {1, 1, 1}, {1, 0, 0}},                               // a duotone
-        Colors{{0, 0, 0}, {1, 1, 1}, {1, 0, 0}, {0.5F, 0, 0}},                 // one plane
-        Colors{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}}}) {
+  for (const Colors& entries : {Colors{}, Colors{{0.5F, 0.5F, 0.5F}}, Colors(4, {1, 0, 0})}) {
     EXPECT_EQ(PaletteHull(entries).inside(color), color);
   }
+}
+
+TEST(PaletteHull, OfGreysBringsColoursToTheGreyOfTheirLuminance) {
+  const Colors greys{{0, 0, 0}, {1, 1, 1}, {0.5F, 0.5F, 0.5F}, {0.2F, 0.2F, 0.2F}};
+  const Color color{0.9F, 0.1F, 0.4F};
+  const Color moved = PaletteHull(greys).inside(color);
+  for (const float c : moved) EXPECT_NEAR(c, luminance(color), 1e-6);
+}
+
+TEST(PaletteHull, OfBlackWhiteAndRedBringsColoursToTheirPlaneAtTheSameLuminance) {
+  const PaletteHull hull(Colors{{0, 0, 0}, {1, 1, 1}, {1, 0, 0}});
+  const Color mixable{0.7F, 0.3F, 0.3F};
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(hull.inside(mixable)[c], mixable[c], 1e-6);
+  const Color blue{0.1F, 0.2F, 0.9F};
+  const Color moved = hull.inside(blue);
+  EXPECT_NEAR(luminance(moved), luminance(blue), 1e-6);
+  EXPECT_NEAR(moved[1], moved[2], 1e-6);  // on the plane
+  EXPECT_GE(moved[0], moved[1] - 1e-6);   // on the red side of grey
 }
 
 TEST(PaletteHull, TakesRepeatedEntries) {

@@ -6,7 +6,7 @@
 
 namespace tristim {
 
-/// The colours that a palette can mix: the convex hull of its entries, as half-spaces.
+/// The colours that a palette can mix: the convex hull of its entries, in the numbers of the mix.
 ///
 /// A colour outside of it owes an error for ever, which diffusion would carry across the picture;
 /// such colours are moved inside before they are dithered.
@@ -14,13 +14,13 @@ class PaletteHull {
  public:
   using Color = std::array<float, 3>;
 
-  /// `entries` in the linear numbers of the mix. Hulls without volume (greys, duotones) and
-  /// palettes of more than kMost entries, which span a picture's colours anyway, leave every colour
+  /// Palettes of more than kMost entries, which span a picture's colours anyway, leave every colour
   /// as it is.
   explicit PaletteHull(std::span<const Color> entries);
 
-  /// `color` itself where it can be mixed, else the nearest such colour on the way to the grey of
-  /// its luminance, which keeps luminance and dominant wavelength.
+  /// `color` itself where it can be mixed. Else it comes to the line or plane of a palette without
+  /// volume (greys; black, white and red) at the same luminance where that has it, and then goes
+  /// towards the grey of its luminance until it is inside, which keeps the dominant wavelength.
   Color inside(const Color& color) const noexcept;
 
   static constexpr std::size_t kMost = 64;
@@ -30,10 +30,13 @@ class PaletteHull {
     std::array<float, 3> n;
     float d;
   };
+  Color flattened(const Color& color) const noexcept;
   Color towards(const Color& color, const Color& anchor) const noexcept;
 
-  std::vector<HalfSpace> faces_;
-  Color centre_{};  // the mean of the entries: inside
+  bool flat_ = false;                              // the palette has no volume
+  std::array<std::array<float, 3>, 3> flatten_{};  // about the centre, where it is flat
+  std::vector<HalfSpace> faces_;                   // within the palette's line or plane, where flat
+  Color centre_{};                                 // the mean of the entries: inside
 };
 
 }  // namespace tristim

@@ -31,7 +31,7 @@ struct NamedDither {
 /// "none", every matrix, every kernel.
 const std::vector<NamedDither>& dither_methods();
 
-/// What suits a device: none from 8 bits on and for large palettes, the clustered screen for
+/// What suits a device: none from 8 bits a channel on, the clustered screen for
 /// printers that cannot hold isolated dots, Floyd-Steinberg for the rest.
 const NamedDither& default_dither(const Display& display);
 
