@@ -453,6 +453,20 @@ TEST_F(ExrWrite, OpenExrReadsItToo) {
   EXPECT_EQ(file.header().typedAttribute<Imf::StringAttribute>("software").value(), "tristim");
 }
 
+TEST_F(ExrWrite, PublishedPrimariesComeBackInAllTheirDigits) {
+  for (const NamedPrimaries& set : primaries_list()) {
+    SCOPED_TRACE(set.name);
+    PictureInfo info;
+    info.width = info.height = 1;
+    info.primaries = set.primaries;
+    const auto sink = open_exr_sink(path_, info, {.replace = true});
+    const Image pixel(1, 1, 3);
+    sink->write(pixel.view());
+    sink->finish();
+    EXPECT_EQ(picture_facts(path_).info.primaries, set.primaries);
+  }
+}
+
 TEST_F(ExrWrite, NothingIsLeftWithoutFinish) {
   {
     const auto sink = open_exr_sink(path_, info_);

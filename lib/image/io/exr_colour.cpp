@@ -15,6 +15,23 @@ bool are_xyz_axes(const Primaries& p) {
   return near(p.red, {1, 0}) && near(p.green, {0, 1}) && near(p.blue, {0, 0});
 }
 
+bool same_floats(Chromaticity a, Chromaticity b) {
+  return static_cast<float>(a.x) == static_cast<float>(b.x) &&
+         static_cast<float>(a.y) == static_cast<float>(b.y);
+}
+
+// The set of which a file holds the floats, in all its digits: sRGB to sRGB is then no conversion
+// at all.
+Primaries published(const Primaries& p) {
+  for (const NamedPrimaries& set : primaries_list()) {
+    const Primaries& q = set.primaries;
+    const bool same = same_floats(p.red, q.red) && same_floats(p.green, q.green) &&
+                      same_floats(p.blue, q.blue) && same_floats(p.white, q.white);
+    if (same) return q;
+  }
+  return p;
+}
+
 }  // namespace
 
 ExrColour exr_colour(const std::string& name, const ExrPart& part, ExrColourModel model) {
@@ -24,7 +41,7 @@ ExrColour exr_colour(const std::string& name, const ExrPart& part, ExrColourMode
   if (xyz) {
     colour.words = "XYZ-encoded, delivered in sRGB primaries, white D65";
   } else if (part.chromaticities) {
-    colour.primaries = *part.chromaticities;
+    colour.primaries = published(*part.chromaticities);
     colour.words = "chromaticities of the file";
   } else {
     colour.words = "sRGB primaries, white D65: the file does not say";
@@ -32,7 +49,8 @@ ExrColour exr_colour(const std::string& name, const ExrPart& part, ExrColourMode
   check_primaries(name, colour.primaries);
   const Primaries stored = colour.primaries;
   if (part.adopted_neutral) {
-    colour.primaries.white = *part.adopted_neutral;
+    const Primaries adopted{stored.red, stored.green, stored.blue, *part.adopted_neutral};
+    colour.primaries = published(adopted);
     colour.words += "; white from its adoptedNeutral";
     check_primaries(name, colour.primaries);
   }
