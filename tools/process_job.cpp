@@ -57,7 +57,8 @@ Display with_chosen_palette(const Display& display, const PaletteChoice& choice,
   }
   make_rereadable(input);
   const auto picture =
-      prepare(open_picture(input, {options.settings.layer}), display, options.settings, nullptr);
+      prepare(open_picture(input, {.layer = options.settings.layer, .threads = options.threads}),
+              display, options.settings, nullptr);
   const StageList stages = stage_list(picture->info(), display, options.settings);
   const Histogram counted = histogram(*picture, stages, display, {.threads = options.threads});
   return with_palette(display, choice.method->choose(counted, colors));
@@ -131,7 +132,8 @@ void process_picture(const ProcessOptions& options, const Display& device, Job j
   const Display display =
       choice ? with_chosen_palette(device, *choice, options, job.input) : device;
 
-  auto file = open_picture(job.input, {options.settings.layer});
+  auto file =
+      open_picture(job.input, {.layer = options.settings.layer, .threads = options.threads});
   const PictureInfo file_info = file->info();
   const auto picture = prepare(std::move(file), display, options.settings, &job.odd);
   const PictureInfo& info = picture->info();
