@@ -77,14 +77,17 @@ std::unique_ptr<CodeSink> open_sink(const ProcessOptions& options, const std::st
   return open_code_sink(output, frame_info(display, picture.width, picture.height),
                         {.format = unnamed ? "png" : options.format,
                          .replace = options.force,
+                         .threads = options.threads,
                          .png_level = options.png_level});
 }
 
 std::unique_ptr<CodeSink> open_proof(const ProcessOptions& options, const std::string& path,
                                      const PictureInfo& picture) {
-  return open_code_sink(
-      path, frame_info(Display{}, picture.width, picture.height),
-      {.format = "png", .replace = options.force, .png_level = options.png_level});
+  return open_code_sink(path, frame_info(Display{}, picture.width, picture.height),
+                        {.format = "png",
+                         .replace = options.force,
+                         .threads = options.threads,
+                         .png_level = options.png_level});
 }
 
 struct FormatName {
