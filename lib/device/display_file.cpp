@@ -393,12 +393,14 @@ Display load_display(const std::string& name_or_path) {
   const bool is_path = name_or_path == "-" || name_or_path.find('/') != std::string::npos ||
                        name_or_path.ends_with(".toml");
   if (!is_path) {
-    throw Error(ErrorKind::kMisuse, "--device", "unknown device '" + name_or_path + "'",
+    throw Error(ErrorKind::kMisuse, name_or_path, "unknown device",
                 name_hint(built_in_displays(), name_or_path) +
                     " (a file of your own: ./panel.toml; the list: tristim device list)");
   }
   const std::size_t slash = name_or_path.rfind('/');
-  const std::string directory = slash == std::string::npos ? "." : name_or_path.substr(0, slash);
+  const std::string directory = slash == std::string::npos ? "."
+                                : slash == 0               ? "/."
+                                                           : name_or_path.substr(0, slash);
   return parse_display(read_text_file(name_or_path), name_or_path, directory);
 }
 

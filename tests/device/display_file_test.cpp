@@ -54,7 +54,7 @@ TEST(LoadDisplay, RefusesRowsOfAMeasuredFileThatAreNoPairs) {
 
 TEST(LoadDisplay, NamesWhatItDoesNotFind) {
   EXPECT_EQ(error_text([] { load_display("vga61"); }),
-            "2 --device: unknown device 'vga61'; did you mean vga16? (a file of your own: "
+            "2 vga61: unknown device; did you mean vga16? (a file of your own: "
             "./panel.toml; the list: tristim device list)");
   EXPECT_TRUE(error_text([] { load_display("./absent.toml"); }).starts_with("1 ./absent.toml: "));
   EXPECT_TRUE(error_text([] { load_display("absent.toml"); }).starts_with("1 absent.toml: "));

@@ -23,10 +23,9 @@ TEST_F(ProcessOptions, NeedsPicturesAndADevice) {
 
 TEST_F(ProcessOptions, HintsAtTheNearestDevice) {
   const std::string rest = " (a file of your own: ./panel.toml; the list: tristim device list)";
-  refuses("process s.exr -d srbg -o o.png", 2,
-          "--device: unknown device 'srbg'; did you mean srgb?" + rest);
+  refuses("process s.exr -d srbg -o o.png", 2, "srbg: unknown device; did you mean srgb?" + rest);
   refuses("process s.exr -d laser -o o.png", 2,
-          "--device: unknown device 'laser'; did you mean laser-300?" + rest);
+          "laser: unknown device; did you mean laser-300?" + rest);
   refuses("process s.exr -d ./panel.toml -o o.png", 1,
           "./panel.toml: there is no such file; check the name");
 }
