@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <memory>
 
 #include "tools/commands.h"
 #include "tools/outputs.h"

@@ -50,6 +50,23 @@ Plan mixing_plan(const MixPalette& palette, const Color& color) noexcept {
   return plan;
 }
 
+// Of a palette of two, the colour's fraction of the way between them is known: the levels' rule of
+// ordered dither, exactly.
+int pair_entry(const MixPalette& palette, const Color& color, const ThresholdMatrix& matrix,
+               std::uint16_t rank) noexcept {
+  const int low = palette.luminance_rank(0) < palette.luminance_rank(1) ? 0 : 1;
+  const Color& from = palette.entry(low);
+  const Color& to = palette.entry(1 - low);
+  float along = 0;
+  float length2 = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    along += (color[c] - from[c]) * (to[c] - from[c]);
+    length2 += (to[c] - from[c]) * (to[c] - from[c]);
+  }
+  const float steps = along / length2 * static_cast<float>(matrix.rank.size());
+  return steps + 0.5F >= static_cast<float>(rank + 1) ? 1 - low : low;
+}
+
 }  // namespace
 
 MixPalette::MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix mix)
@@ -113,27 +130,6 @@ void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
     indices[x] = static_cast<std::uint16_t>(palette.nearest(palette.from_light(&rgb[3 * x])));
   }
 }
-
-namespace {
-
-// Of a palette of two, the colour's fraction of the way between them is known: the levels' rule of
-// ordered dither, exactly.
-int pair_entry(const MixPalette& palette, const Color& color, const ThresholdMatrix& matrix,
-               std::uint16_t rank) noexcept {
-  const int low = palette.luminance_rank(0) < palette.luminance_rank(1) ? 0 : 1;
-  const Color& from = palette.entry(low);
-  const Color& to = palette.entry(1 - low);
-  float along = 0;
-  float length2 = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    along += (color[c] - from[c]) * (to[c] - from[c]);
-    length2 += (to[c] - from[c]) * (to[c] - from[c]);
-  }
-  const float steps = along / length2 * static_cast<float>(matrix.rank.size());
-  return steps + 0.5F >= static_cast<float>(rank + 1) ? 1 - low : low;
-}
-
-}  // namespace
 
 void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matrix, int y,
                          std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept {
