@@ -192,9 +192,11 @@ CommandResult run_command(const std::vector<std::string>& command, const Command
   return result;
 }
 
+std::string tristim_path() { return TRISTIM_COMMAND; }
+
 CommandResult run_tristim(const std::vector<std::string>& arguments,
                           const CommandOptions& options) {
-  std::vector<std::string> command{TRISTIM_COMMAND};
+  std::vector<std::string> command{tristim_path()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return run_command(command, options);
 }

@@ -68,7 +68,10 @@ struct CommandResult {
 CommandResult run_command(const std::vector<std::string>& command,
                           const CommandOptions& options = {});
 
-/// Runs the `tristim` that was built with these tests: run_tristim({"device", "list"}).
+/// The path of the `tristim` that was built with these tests.
+std::string tristim_path();
+
+/// Runs it: run_tristim({"device", "list"}).
 CommandResult run_tristim(const std::vector<std::string>& arguments,
                           const CommandOptions& options = {});
 

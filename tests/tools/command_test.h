@@ -67,7 +67,7 @@ class CommandTest : public testing::Test {
   /// A shell that finds the command as `tristim`.
   CommandResult shell(const std::string& script, CommandOptions options = {}) const {
     options.directory = scratch_.path();
-    options.variables.push_back("TRISTIM=" TRISTIM_COMMAND);
+    options.variables.push_back("TRISTIM=" + tristim_path());
     return run_command({"bash", "-c", "tristim() { \"$TRISTIM\" \"$@\"; }\n" + script}, options);
   }
 
