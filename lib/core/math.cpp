@@ -10,59 +10,6 @@ namespace {
 
 using Dd = DoubleDouble;
 
-constexpr Dd quick_two_sum(double a, double b) noexcept {  // |a| >= |b|
-  const double s = a + b;
-  return {s, b - (s - a)};
-}
-
-constexpr Dd two_sum(double a, double b) noexcept {
-  const double s = a + b;
-  const double v = s - a;
-  return {s, (a - (s - v)) + (b - v)};
-}
-
-// Exact product by Dekker's splitting [Dekker71]: std::fma may be slow, or a call into the C
-// library.
-constexpr Dd two_product(double a, double b) noexcept {
-  constexpr double kSplitter = 134217729;  // 2^27 + 1
-  const double p = a * b;
-  const double ca = kSplitter * a;
-  const double ah = ca - (ca - a);
-  const double al = a - ah;
-  const double cb = kSplitter * b;
-  const double bh = cb - (cb - b);
-  const double bl = b - bh;
-  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
-}
-
-constexpr Dd add(Dd a, Dd b) noexcept {
-  const Dd s = two_sum(a.hi, b.hi);
-  const Dd t = two_sum(a.lo, b.lo);
-  const Dd u = quick_two_sum(s.hi, s.lo + t.hi);
-  return quick_two_sum(u.hi, u.lo + t.lo);
-}
-
-constexpr Dd multiply(Dd a, Dd b) noexcept {
-  Dd p = two_product(a.hi, b.hi);
-  p.lo += a.hi * b.lo + a.lo * b.hi;
-  return quick_two_sum(p.hi, p.lo);
-}
-
-constexpr Dd multiply(Dd a, double b) noexcept {
-  Dd p = two_product(a.hi, b);
-  p.lo += a.lo * b;
-  return quick_two_sum(p.hi, p.lo);
-}
-
-Dd divide(Dd a, Dd b) noexcept {
-  const double q1 = a.hi / b.hi;
-  Dd r = add(a, multiply(b, -q1));
-  const double q2 = r.hi / b.hi;
-  r = add(r, multiply(b, -q2));
-  const double q3 = r.hi / b.hi;
-  return add(quick_two_sum(q1, q2), {q3, 0});
-}
-
 // 1/1, 1/2, ... 1/N: the series' coefficients, so that no division is left in them.
 template <int N>
 constexpr std::array<Dd, N + 1> reciprocals() noexcept {

@@ -1,15 +1,12 @@
 #pragma once
 
+#include "lib/core/double_double.h"
+
 namespace tristim::detail {
 
 // The C library's pow, exp, log and cbrt differ between processors in the last bit. These use
 // nothing but IEEE addition, multiplication, division and square root in a fixed order, so that
 // what they compute is the same everywhere.
-
-/// A number as the unevaluated sum of two doubles, |lo| <= ulp(hi)/2: 106 bits.
-struct DoubleDouble {
-  double hi = 0, lo = 0;
-};
 
 /// x^y, correctly rounded but for results within 1e-9 ulp of a tie; subnormal results are rounded
 /// twice, within .75 ulp. Follows the C standard at the edges: x < 0 gives NaN unless y is an
