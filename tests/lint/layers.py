@@ -9,6 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MAY_INCLUDE = {
     "core": "",
     "color": "core",
+    "plot": "core color",
     "image": "core color",
     "frame": "core color image",
     "device": "core color frame",  # a display contains a FrameLayout
