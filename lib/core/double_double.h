@@ -11,6 +11,11 @@ namespace tristim::detail {
 struct DoubleDouble {
   double hi = 0, lo = 0;
 
+  constexpr DoubleDouble() noexcept = default;
+  constexpr DoubleDouble(double high,
+                         double low = 0) noexcept  // NOLINT(google-explicit-constructor)
+      : hi(high), lo(low) {}                       // a double is such a number
+
   /// Rounded once.
   constexpr double value() const noexcept { return hi + lo; }
 };
@@ -74,6 +79,25 @@ constexpr DoubleDouble divide(DoubleDouble a, DoubleDouble b) noexcept {
   r = add(r, multiply(b, -q2));
   const double q3 = r.hi / b.hi;
   return add(quick_two_sum(q1, q2), {q3, 0});
+}
+
+// The same as operators, for formulas that read as they are printed.
+constexpr DoubleDouble operator-(DoubleDouble a) noexcept { return negate(a); }
+constexpr DoubleDouble operator+(DoubleDouble a, DoubleDouble b) noexcept { return add(a, b); }
+constexpr DoubleDouble operator-(DoubleDouble a, DoubleDouble b) noexcept { return subtract(a, b); }
+constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) noexcept { return multiply(a, b); }
+constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) noexcept { return divide(a, b); }
+
+/// The decimal number that the text of `x` was, 22/10 and not the double beside it, for up to 15
+/// digits and 14 places behind the point; of other numbers `x` itself.
+constexpr DoubleDouble decimal(double x) noexcept {
+  for (double scale = 1; scale <= 1e14; scale *= 10) {
+    const double scaled = x * scale;
+    if (!(scaled < 1e15 && scaled > -1e15)) break;
+    const auto n = static_cast<double>(static_cast<long long>(scaled + (scaled < 0 ? -0.5 : 0.5)));
+    if (n / scale == x) return DoubleDouble(n) / scale;
+  }
+  return x;
 }
 
 /// Square root of a >= 0.

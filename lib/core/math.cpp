@@ -15,9 +15,7 @@ template <int N>
 constexpr std::array<Dd, N + 1> reciprocals() noexcept {
   std::array<Dd, N + 1> table{};
   for (int n = 1; n <= N; ++n) {
-    const double hi = 1.0 / n;
-    const Dd back = two_product(hi, n);
-    table[static_cast<std::size_t>(n)] = {hi, ((1 - back.hi) - back.lo) / n};
+    table[static_cast<std::size_t>(n)] = Dd(1) / n;
   }
   return table;
 }
@@ -28,13 +26,13 @@ constexpr Dd kInverseLn2{0x1.71547652b82fep+0, 0x1.777d0ffda0d24p-56};
 
 // ln(m/c) = 2 atanh((m-c)/(m+c)); `terms` of the series in s^2.
 Dd log_ratio(double m, double c, int terms) noexcept {
-  const Dd s = divide({m - c, 0}, two_sum(m, c));  // m - c is exact: they are within a factor of 2
-  const Dd s2 = multiply(s, s);
-  Dd sum{0, 0};
+  const Dd s = Dd(m - c) / two_sum(m, c);  // m - c is exact: they are within a factor of 2
+  const Dd s2 = s * s;
+  Dd sum = 0;
   for (int k = terms; k >= 1; --k) {
-    sum = multiply(add(sum, kReciprocal[static_cast<std::size_t>(2 * k + 1)]), s2);
+    sum = (sum + kReciprocal[static_cast<std::size_t>(2 * k + 1)]) * s2;
   }
-  return multiply(multiply(s, add({1, 0}, sum)), 2);
+  return s * (1 + sum) * 2;
 }
 
 constexpr int kFirstNode = 22;  // nodes k/32 around [sqrt(1/2), sqrt(2)]
@@ -64,26 +62,21 @@ Logarithm log_parts(double x) noexcept {
   }
   const int node = static_cast<int>(m * 32 + 0.5);
   const Dd rest = log_ratio(m, node / 32.0, 8);
-  return {exponent, add(nodes[static_cast<std::size_t>(node - kFirstNode)], rest)};
+  return {exponent, nodes[static_cast<std::size_t>(node - kFirstNode)] + rest};
 }
 
-// 2^y for |y| < 1100, rounded once.
-double exp2_precise(Dd y) noexcept {
+// 2^y for |y| < 1100; a subnormal result is rounded twice.
+Dd exp2_finite(Dd y) noexcept {
   const double n = std::nearbyint(y.hi);
-  Dd r = multiply(add(y, {-n, 0}), kLn2);
+  Dd r = (y - n) * kLn2;
   constexpr int kHalvings = 5;
   r = {r.hi / (1 << kHalvings), r.lo / (1 << kHalvings)};
-  Dd sum{1, 0};
-  for (std::size_t k = 14; k >= 1; --k)
-    sum = add({1, 0}, multiply(multiply(r, sum), kReciprocal[k]));
-  for (int k = 0; k < kHalvings; ++k) sum = multiply(sum, sum);
-  return std::ldexp(sum.hi + sum.lo, static_cast<int>(n));
-}
-
-double exp2_of(Dd y) noexcept {
-  if (y.hi >= 1025) return std::numeric_limits<double>::infinity();
-  if (y.hi <= -1080) return 0;
-  return exp2_precise(y);
+  Dd sum = 1;
+  for (std::size_t k = 14; k >= 1; --k) sum = 1 + r * sum * kReciprocal[k];
+  for (int k = 0; k < kHalvings; ++k) sum = sum * sum;
+  const int exponent = static_cast<int>(n);
+  const double hi = std::ldexp(sum.hi + sum.lo, exponent);
+  return {hi, std::isfinite(hi) ? std::ldexp(sum.lo, exponent) : 0};
 }
 
 bool odd_integer(double y) noexcept {
@@ -95,16 +88,34 @@ double pow_positive(double x, double y) noexcept {
   if (x == 1) return 1;
   if (x == 0 || x == kInfinity) return (x == 0) == (y > 0) ? 0 : kInfinity;
   if (std::fabs(y) == kInfinity) return (x > 1) == (y > 0) ? kInfinity : 0;
-  const Dd log2 = log2_precise(x);
-  if (std::fabs(log2.hi * y) > 1100) return log2.hi * y > 0 ? kInfinity : 0;
-  return exp2_of(multiply(log2, y));
+  return pow_precise(x, y).hi;
 }
 
 }  // namespace
 
-DoubleDouble log2_precise(double x) noexcept {
-  const Logarithm parts = log_parts(x);
-  return add({double(parts.exponent), 0}, multiply(parts.rest, kInverseLn2));
+DoubleDouble log2_precise(DoubleDouble x) noexcept {
+  const Logarithm parts = log_parts(x.hi);
+  const double u = x.lo / x.hi;  // ln(1 + u) is u - u^2/2, and the next term below 2^-160
+  return parts.exponent + (parts.rest + (u - u * u / 2)) * kInverseLn2;
+}
+
+DoubleDouble log_precise(DoubleDouble x) noexcept { return log2_precise(x) * kLn2; }
+
+DoubleDouble exp2_precise(DoubleDouble y) noexcept {
+  if (y.hi >= 1025) return std::numeric_limits<double>::infinity();
+  if (y.hi <= -1080) return 0;
+  return exp2_finite(y);
+}
+
+DoubleDouble exp_precise(DoubleDouble y) noexcept {
+  if (std::fabs(y.hi) > 800) return exp2_precise(y.hi);  // no number, whichever base
+  return exp2_precise(y * kInverseLn2);
+}
+
+DoubleDouble pow_precise(DoubleDouble x, DoubleDouble y) noexcept {
+  const Dd log2 = log2_precise(x);
+  if (std::fabs(log2.hi * y.hi) > 1100) return exp2_precise(log2.hi * y.hi);
+  return exp2_precise(log2 * y);
 }
 
 double pow(double x, double y) noexcept {
@@ -135,7 +146,7 @@ double cbrt(double x) noexcept {
   }
   // One Newton step with the residual m - t^3 to twice the precision.
   const Dd square = two_product(t, t);
-  const Dd cube = multiply(square, t);
+  const Dd cube = square * t;
   t += (((m - cube.hi) - cube.lo)) / (3 * square.hi);
   t = std::ldexp(t, exponent / 3);
   return x < 0 ? -t : t;
@@ -143,9 +154,7 @@ double cbrt(double x) noexcept {
 
 double exp(double x) noexcept {
   if (std::isnan(x)) return x;
-  if (x > 800) return std::numeric_limits<double>::infinity();
-  if (x < -800) return 0;
-  return exp2_of(multiply(kInverseLn2, x));
+  return exp_precise(x).hi;
 }
 
 double log(double x) noexcept {
@@ -153,8 +162,7 @@ double log(double x) noexcept {
   if (x == 0) return -std::numeric_limits<double>::infinity();
   if (std::isinf(x)) return x;
   const Logarithm parts = log_parts(x);
-  const Dd sum = add(multiply(kLn2, double(parts.exponent)), parts.rest);
-  return sum.hi + sum.lo;
+  return (kLn2 * parts.exponent + parts.rest).hi;
 }
 
 }  // namespace tristim::detail

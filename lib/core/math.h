@@ -13,8 +13,15 @@ namespace tristim::detail {
 /// integer, x^0 is 1, NaN passes.
 double pow(double x, double y) noexcept;
 
-/// Base-2 logarithm of a finite x > 0 to about 95 bits.
-DoubleDouble log2_precise(double x) noexcept;
+/// Logarithms of a finite x > 0 to about 95 bits.
+DoubleDouble log2_precise(DoubleDouble x) noexcept;
+DoubleDouble log_precise(DoubleDouble x) noexcept;
+
+/// 2^y, e^y of a finite y and x^y of finite x > 0 and y, to about 95 bits less those of the
+/// result's exponent; +inf where they overflow.
+DoubleDouble exp2_precise(DoubleDouble y) noexcept;
+DoubleDouble exp_precise(DoubleDouble y) noexcept;
+DoubleDouble pow_precise(DoubleDouble x, DoubleDouble y) noexcept;
 
 /// Cube root, odd; maximum error 1 ulp.
 double cbrt(double x) noexcept;
