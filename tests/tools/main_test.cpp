@@ -72,7 +72,8 @@ TEST_F(Main, EveryExampleWorks) {
 TEST_F(Main, HintsAtTheNearestCommand) {
   refuses("proces", 2, "proces: unknown command; did you mean process?");
   refuses("xyzzyx", 2,
-          "xyzzyx: unknown command; use one of: process, convert, levels, device, info, render");
+          "xyzzyx: unknown command; use one of: process, convert, spectrum, levels, device, info, "
+          "render");
   refuses("--quiet process", 2,
           "--quiet: unknown option; options follow the command: tristim <command> [options]");
   refuses("help proces", 2, "proces: unknown command; did you mean process?");
