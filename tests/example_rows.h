@@ -46,7 +46,9 @@ inline std::vector<ExampleRow> example_rows(const std::filesystem::path& path) {
   while (next()) {
     const std::vector<std::string> cells = cells_of(line);
     std::map<std::string, std::string> row;
-    for (std::size_t i = 0; i < names.size(); ++i) row[names.at(i)] = cells.at(i);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      row[names.at(i)] = i < cells.size() ? cells.at(i) : "";  // empty cells at the end
+    }
     rows.emplace_back(std::move(row));
   }
   return rows;

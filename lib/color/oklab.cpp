@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "lib/color/polar.h"
 #include "lib/core/math.h"
 
 namespace tristim {
@@ -49,6 +50,20 @@ Rgb oklab_to_linear_srgb(Oklab oklab) noexcept {
   const Eigen::Vector3d roots = roots_from_lab * Eigen::Vector3d(oklab.l, oklab.a, oklab.b);
   const Eigen::Vector3d rgb = rgb_from_lms * roots.cwiseProduct(roots).cwiseProduct(roots);
   return {rgb.x(), rgb.y(), rgb.z()};
+}
+
+Oklch oklab_to_oklch(Oklab oklab) noexcept {
+  const detail::Polar polar = detail::to_polar({oklab.a, oklab.b}, kOklchNeutral);
+  return {oklab.l, polar.chroma, polar.hue_deg};
+}
+
+Oklab oklch_to_oklab(Oklch oklch) noexcept {
+  const detail::Plane plane = detail::from_polar({oklch.c, oklch.h}, kOklchNeutral);
+  return {oklch.l, plane.a, plane.b};
+}
+
+bool same(const Oklch& first, const Oklch& second) noexcept {
+  return detail::same_polar(first, second);
 }
 
 }  // namespace tristim

@@ -2,10 +2,20 @@
 
 #include <limits>
 
+#include "lib/core/double_double.h"
+
 namespace tristim {
+namespace {
+
+// The sum of three numbers, rounded once.
+double sum3(double a, double b, double c) noexcept {
+  return detail::add(detail::two_sum(a, b), {c, 0}).value();
+}
+
+}  // namespace
 
 Xyy xyz_to_xyy(Xyz xyz) noexcept {
-  const double sum = xyz.x + xyz.y + xyz.z;
+  const double sum = sum3(xyz.x, xyz.y, xyz.z);
   if (sum == 0) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     return {kNone, kNone, xyz.y};
@@ -16,7 +26,7 @@ Xyy xyz_to_xyy(Xyz xyz) noexcept {
 Xyz xyy_to_xyz(Xyy xyy) noexcept {
   if (xyy.luminance == 0) return {};
   return {xyy.x * xyy.luminance / xyy.y, xyy.luminance,
-          (1 - xyy.x - xyy.y) * xyy.luminance / xyy.y};
+          sum3(1, -xyy.x, -xyy.y) * xyy.luminance / xyy.y};
 }
 
 Xyz white_xyz(Chromaticity white) noexcept { return xyy_to_xyz({white.x, white.y, 1}); }

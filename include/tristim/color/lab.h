@@ -27,12 +27,27 @@ struct Luv {
 /// XYZ to L*u*v* [CIE15 8.2.2] relative to `white` (its XYZ). Black has u* = v* = 0.
 Luv xyz_to_luv(Xyz xyz, Xyz white) noexcept;
 
+/// L*u*v* to XYZ: the inverse of xyz_to_luv. L* = 0 is black, whatever u* and v* are.
+Xyz luv_to_xyz(Luv luv, Xyz white) noexcept;
+
 /// L* of a luminance relative to the white, and back.
 double lstar_from_luminance(double y) noexcept;
 double luminance_from_lstar(double lstar) noexcept;
 
-/// Linear RGB to L*a*b* with the white of its own primaries, so that a* and b* of greys are exactly
-/// 0. `matrix` is xyz_from_rgb of the primaries.
+// Between linear RGB and the models above with a white that RGB (1, 1, 1) makes, in one step: a*,
+// b*, u* and v* of every grey are exactly 0, and such a colour gives R = G = B, which the way
+// through XYZ cannot promise.
+
+/// Linear RGB to L*a*b*. `matrix` leads to XYZ; its white is that of RGB (1, 1, 1).
 Lab rgb_to_lab(Rgb rgb, const Eigen::Matrix3d& matrix) noexcept;
+
+/// Linear RGB to L*u*v*. `matrix` leads to XYZ; its white is that of RGB (1, 1, 1).
+Luv rgb_to_luv(Rgb rgb, const Eigen::Matrix3d& matrix) noexcept;
+
+/// L*a*b* under `white` to linear RGB. `matrix` leads from XYZ and takes the white to (1, 1, 1).
+Rgb lab_to_rgb(Lab lab, Xyz white, const Eigen::Matrix3d& matrix) noexcept;
+
+/// L*u*v* under `white` to linear RGB. `matrix` leads from XYZ and takes the white to (1, 1, 1).
+Rgb luv_to_rgb(Luv luv, Xyz white, const Eigen::Matrix3d& matrix) noexcept;
 
 }  // namespace tristim
