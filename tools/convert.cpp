@@ -1,194 +1,143 @@
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
+#include <filesystem>
 
 #include "tools/commands.h"
-#include "tools/report.h"
-#include "tristim/color/models.h"
-#include "tristim/color/parse.h"
+#include "tools/convert_list.h"
+#include "tools/convert_print.h"
+#include "tools/convert_rows.h"
+#include "tristim/color/conversion.h"
+#include "tristim/color/interpolate.h"
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
 #include "tristim/core/find.h"
-#include "tristim/core/text.h"
 
 namespace tristim::tools {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::string_view kExamples =
-    "  tristim convert --from rgb:srgb --to lab 1 0.5 0\n"
-    "  tristim convert --to oklab '#ff8000' rebeccapurple\n"
-    "  tristim convert --from xyz --to rgb:ntsc1953 0.3 0.4 -0.1 --explain\n"
-    "  printf '0.2 0.3 0.4\\n1 1 1\\n' | tristim convert --from linear:display-p3 --to xyz@d50\n"
+    "  tristim convert --to lab '#ff8000' rebeccapurple\n"
+    "  tristim convert --from rgb:ntsc1953 --to yiq:fcc1953 1 0.5 0 --explain\n"
+    "  tristim convert --from lab@d50 --to rgb:display-p3/gamma2.2 60 40 -20\n"
+    "  tristim convert --from rgb:0.63,0.34,0.31,0.595,0.155,0.07,0.3127,0.329 --to hsv 1 0.5 0\n"
+    "  tristim convert --to cmyk:normalised:gcr=0.5:limit=3 navy\n"
+    "  tristim convert --mix hsv --arc longer --steps 5 --to rgb red lime\n"
+    "  printf '0.2 0.3 0.4  # a row\\n1,1,1\\n' | tristim convert --from linear:bt2020 --to xyy\n"
+    "  tristim convert --to all tomato\n"
     "  tristim convert --list\n";
 
 struct Options {
-  std::string from = "rgb:srgb", to;
+  PrintOptions print{.from = "rgb:srgb", .to = {}};
   Adaptation adaptation = Adaptation::kBradford;
   std::vector<std::string> words;
-  bool explain = false, json = false, list = false;
+  std::string input;
+  std::string mix;
+  HueArc arc = HueArc::kShorter;
+  int steps = 5;
+  bool list = false;
 };
 
-// A colour to convert, and whether it was given as "nan" or without end: then what comes out
-// undefined is "nan" too, not "none".
-struct Row {
-  Components values{};
-  bool odd = false;
-};
-
-bool is_separator(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r'; }
-
-std::vector<std::string> words_of(std::string_view line) {
-  std::vector<std::string> words;
-  std::string word;
-  for (const char c : line) {
-    if (!is_separator(c)) {
-      word += c;
-    } else if (!word.empty()) {
-      words.push_back(std::move(word));
-      word.clear();
-    }
-  }
-  if (!word.empty()) words.push_back(std::move(word));
-  return words;
+// The member of a list that an option names.
+template <typename List>
+const auto& chosen(const List& list, std::string_view option, std::string_view what,
+                   const std::string& name) {
+  const auto* member = find_by_name(list, name);
+  if (member != nullptr) return *member;
+  throw Error(ErrorKind::kMisuse, option, "unknown " + std::string(what) + " '" + name + "'",
+              name_hint(list, name));
 }
 
-// Turns numbers and colour names into components of the source model.
-class RowReader {
- public:
-  explicit RowReader(const ModelReference& from)
-      : from_(from), named_(parse_model("rgb:srgb", "--from"), from, Adaptation::kBradford) {}
+void declare(CommandLine& line, Options& options) {
+  line.positional("VALUES...",
+                  "colours: numbers, #rrggbb, CSS names; or one file of rows; without any: rows of "
+                  "standard input, a colour each, comments from # on",
+                  options.words, 0, 1 << 20);
+  line.option("--from", "MODEL", "default: rgb:srgb", options.print.from);
+  line.option("--to", "MODEL", "such as lab, xyz@d50, linear:display-p3, or all; see --list",
+              options.print.to);
+  line.option("--input", "FILE", "rows of a file; - is standard input", options.input);
+  line.option("--adapt", list_names(kAdaptations, "|"), "from white to white; default: bradford",
+              [&](const std::string& v) {
+                options.adaptation = chosen(kAdaptations, "--adapt", "adaptation", v).method;
+              });
+  line.flag("--explain", "print the way between the models, and each colour on it, first",
+            options.print.explain);
+  line.flag("--json", "print the colours as JSON", options.print.json);
+  line.flag("--list", "print models, primaries, whites and curves with ranges and sources",
+            options.list);
+  line.section("Mixing");
+  line.option("--mix", "MODEL", "mix each pair of colours in this model", options.mix);
+  line.option("--arc", list_names(kHueArcs, "|"), "which way round hues go; default: shorter",
+              [&](const std::string& v) { options.arc = chosen(kHueArcs, "--arc", "arc", v).arc; });
+  line.option(
+      "--steps", "N", "colours from one to the other, both included; default: 5",
+      [&](const std::string& v) { options.steps = integer_option("--steps", v, 2, 1 << 16); });
+}
 
-  /// The colours of `words`; `place` is for messages.
-  std::vector<Row> read(const std::vector<std::string>& words, const std::string& place) const {
-    std::vector<Row> rows;
-    Row row;
-    std::size_t count = 0;
-    for (const std::string& word : words) {
-      if (const auto number = component(word, row)) {
-        row.values[count++] = *number;
-      } else if (const auto color = parse_color(word); color && count == 0) {
-        row.values = named_({color->r, color->g, color->b});
-        count = kComponents;
-      } else {
-        throw Error(ErrorKind::kContent, place,
-                    "'" + word + "' is " + (color ? "no number" : "no number and no colour"),
-                    color ? give_all() : hint(word));
-      }
-      if (count < kComponents) continue;
-      rows.push_back(row);
-      row = {};
-      count = 0;
-    }
-    if (count == 0) return rows;
-    throw Error(ErrorKind::kContent, place,
-                "the last colour has " + std::to_string(count) + " of its 3 numbers", give_all());
+// A sole argument that is no colour but a file is one of rows.
+bool is_row_file(const Options& options, const ModelReference& from) {
+  std::error_code ignored;
+  return options.words.size() == 1 && !is_color_text(options.words[0], from) &&
+         std::filesystem::is_regular_file(options.words[0], ignored);
+}
+
+std::vector<ColorRow> read_rows(const Options& options, const ModelReference& from) {
+  std::string input = options.input;
+  if (!input.empty() && !options.words.empty()) {
+    throw Error(ErrorKind::kMisuse, "--input", "there are colours in the arguments as well",
+                "give one or the other");
   }
-
- private:
-  static constexpr std::size_t kComponents = 3;
-
-  static std::optional<double> component(std::string_view text, Row& row) {
-    if (same_name(text, "none")) return std::nan("");
-    const auto number = parse_number(text);
-    if (number && !std::isfinite(*number)) row.odd = true;
-    return number;
+  if (is_row_file(options, from)) {
+    input = options.words[0];
+  } else if (!options.words.empty()) {
+    return read_color_arguments(options.words, from);
   }
-
-  std::string give_all() const {
-    return "give " + std::string(from_.model->components) + " of " + std::string(from_.model->name);
-  }
-
-  std::string hint(const std::string& word) const {
-    if (word.starts_with('#')) return "a colour is #rrggbb, a comment begins with '# '";
-    const std::string nearest = color_hint(word);
-    return nearest.starts_with("did you mean") ? nearest : give_all() + ", #rrggbb or a CSS name";
-  }
-
-  ModelReference from_;
-  ColorConversion named_;  // sRGB to the source model, for names
-};
-
-std::string standard_input() {
-  if (isatty(STDIN_FILENO) == 1) {
+  if (input.empty() && isatty(STDIN_FILENO) == 1) {
     throw Error(ErrorKind::kMisuse, "convert", "no colours are given",
                 "give numbers or names, or pipe rows into standard input");
   }
-  return read_text_file("-");
+  const bool standard_input = input.empty() || input == "-";
+  return read_color_rows(read_text_file(standard_input ? "-" : input),
+                         standard_input ? "standard input" : input, from);
 }
 
-// Without what stands behind a '#' that is a word of its own: #ff8000 is a colour.
-std::vector<std::string> without_comment(std::vector<std::string> words) {
-  words.erase(std::find(words.begin(), words.end(), "#"), words.end());
-  return words;
-}
-
-std::vector<Row> read_rows(const Options& options, const ModelReference& from) {
-  const RowReader reader(from);
-  if (!options.words.empty()) {
-    std::vector<std::string> words;
-    for (const std::string& argument : options.words) {
-      for (std::string& word : words_of(argument)) words.push_back(std::move(word));
+// Colours of `mix` between each pair.
+std::vector<ColorRow> mixed(const std::vector<ColorRow>& rows, const ColorConversion& to_mix,
+                            const Options& options) {
+  if (rows.size() < 2 || rows.size() % 2 != 0) {
+    throw Error(ErrorKind::kContent, "--mix", std::to_string(rows.size()) + " colours are no pairs",
+                "give two colours for each mixture");
+  }
+  std::vector<ColorRow> mixtures;
+  for (std::size_t i = 0; i < rows.size(); i += 2) {
+    const Components first = to_mix(rows[i].values);
+    const Components last = to_mix(rows[i + 1].values);
+    for (int step = 0; step < options.steps; ++step) {
+      const double t = static_cast<double>(step) / (options.steps - 1);
+      mixtures.push_back(
+          {interpolate(to_mix.to(), first, last, t, options.arc), rows[i].odd || rows[i + 1].odd});
     }
-    return reader.read(words, "arguments");
   }
-  std::vector<Row> rows;
-  const std::string text = standard_input();
-  std::string_view rest = text;
-  if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // the mark of UTF-8 files
-  std::size_t number = 0;
-  for (const std::string_view line : split(rest, '\n')) {
-    const std::string place = "standard input, row " + std::to_string(++number);
-    const std::vector<Row> colors = reader.read(without_comment(words_of(line)), place);
-    if (colors.size() > 1) {
-      throw Error(ErrorKind::kContent, place, std::to_string(colors.size()) + " colours in a row",
-                  "give one");
-    }
-    rows.insert(rows.end(), colors.begin(), colors.end());
-  }
-  return rows;
+  return mixtures;
 }
 
-std::string component_text(double value, bool odd) {
-  return std::isnan(value) && !odd ? "none" : shortest(value);
-}
-
-void list_models(bool json) {
-  Json all = Json::array();
-  std::string text;
-  for (const ColorModel& model : color_models()) {
-    all.push_back({{"model", model.name},
-                   {"components", model.components},
-                   {"ranges", model.ranges},
-                   {"formula", model.formula},
-                   {"source", model.source}});
-    std::string name(model.name);
-    name += model.has_primaries ? ":SET" : model.fixed_white ? "" : "[@WHITE]";
-    name.resize(16, ' ');
-    std::string components(model.components);
-    components.resize(10, ' ');
-    text += name + components + std::string(model.ranges) + "  " + std::string(model.source) + "\n";
+void convert(const Options& options) {
+  const ModelReference from = parse_model(options.print.from, "--from");
+  std::vector<ColorRow> rows;
+  ModelReference source = from;
+  if (options.mix.empty()) {
+    rows = read_rows(options, from);
+  } else {
+    const ColorConversion to_mix(from, parse_model(options.mix, "--mix"), options.adaptation);
+    rows = mixed(read_rows(options, from), to_mix, options);
+    source = to_mix.to_reference();
   }
-  text += "SET: " + list_names(primaries_list()) + "\nWHITE: " + list_names(kWhitePoints) + "\n";
-  print(json ? json_line(all) : text);
-}
-
-void print_rows(const Options& options, const ColorConversion& conversion,
-                const std::vector<Row>& rows) {
-  Json list = Json::array();
-  std::string text;
-  for (const Row& row : rows) {
-    const Components out = conversion(row.values);
-    list.push_back({number_json(out[0]), number_json(out[1]), number_json(out[2])});
-    text += component_text(out[0], row.odd) + " " + component_text(out[1], row.odd) + " " +
-            component_text(out[2], row.odd) + "\n";
+  if (same_name(options.print.to, "all")) {
+    return print_all_models(rows, source, options.adaptation, options.print);
   }
-  if (!options.json) return print(text);
-  Json json{{"from", options.from}, {"to", options.to}, {"rows", list}};
-  if (options.explain) json["steps"] = conversion.explain();
-  print(json_line(json));
+  const ColorConversion conversion(source, parse_model(options.print.to, "--to"),
+                                   options.adaptation);
+  print_colors(rows, conversion, options.print);
 }
 
 }  // namespace
@@ -196,38 +145,14 @@ void print_rows(const Options& options, const ColorConversion& conversion,
 void run_convert(Arguments arguments) {
   Options options;
   CommandLine line(*find_by_name(kCommands, "convert"), kExamples);
-  line.positional("VALUES...",
-                  "colours: numbers, #rrggbb, CSS names; without any: rows of standard input, "
-                  "a colour each, with comments from # on",
-                  options.words, 0, 1 << 20);
-  line.option("--from", "MODEL", "default: rgb:srgb", options.from);
-  line.option("--to", "MODEL", "such as lab, xyz@d50, linear:display-p3; see --list", options.to);
-  line.option("--adapt", list_names(kAdaptations, "|"), "from white to white; default: bradford",
-              [&](const std::string& v) {
-                const AdaptationMethod* method = find_by_name(kAdaptations, v);
-                if (method == nullptr) {
-                  throw Error(ErrorKind::kMisuse, "--adapt", "unknown adaptation '" + v + "'",
-                              name_hint(kAdaptations, v));
-                }
-                options.adaptation = method->method;
-              });
-  line.flag("--explain", "print the way between the models first", options.explain);
-  line.flag("--json", "print the colours as JSON", options.json);
-  line.flag("--list", "print the models with their ranges and sources", options.list);
+  declare(line, options);
   if (!line.parse(arguments)) return;
-  if (options.list) return list_models(options.json);
-  if (options.to.empty()) {
+  if (options.list) return list_color_models(options.print.json);
+  if (options.print.to.empty()) {
     throw Error(ErrorKind::kMisuse, "--to", "is missing",
-                "give one of " + list_names(color_models()));
+                "give a model such as lab or hsv; convert --list shows all");
   }
-  const ModelReference from = parse_model(options.from, "--from");
-  const ModelReference to = parse_model(options.to, "--to");
-  const ColorConversion conversion(from, to, options.adaptation);
-  const std::vector<Row> rows = read_rows(options, from);
-  if (options.explain && !options.json) {
-    for (const std::string& step : conversion.explain()) print(step + "\n");
-  }
-  print_rows(options, conversion, rows);
+  convert(options);
 }
 
 }  // namespace tristim::tools

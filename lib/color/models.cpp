@@ -1,231 +1,285 @@
 #include "tristim/color/models.h"
 
-#include <limits>
+#include <algorithm>
 
-#include "tristim/color/lab.h"
+#include "lib/color/edges.h"
+#include "lib/color/matrix_text.h"
+#include "tristim/color/cmyk.h"
+#include "tristim/color/hsv.h"
+#include "tristim/color/lch.h"
 #include "tristim/color/oklab.h"
-#include "tristim/color/transfer.h"
-#include "tristim/core/error.h"
+#include "tristim/color/uv.h"
+#include "tristim/color/yiq.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
 
 namespace tristim {
 namespace {
 
-Components list(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Eigen::Vector3d vector(const Components& c) { return {c[0], c[1], c[2]}; }
-Eigen::Vector3d vector(const Xyz& c) { return {c.x, c.y, c.z}; }
-Xyz xyz(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+using detail::edge;
+using detail::white_edge;
 
-Xyz linear_to_xyz(const Components& c, const ModelContext& context) {
-  return xyz(xyz_from_rgb(context.primaries) * vector(c));
-}
-Components xyz_to_linear(Xyz c, const ModelContext& context) {
-  return list(rgb_from_xyz(context.primaries) * vector(c));
-}
+constexpr ModelParameter kBlackGeneration[] = {
+    {"gcr", 1, 0, 1, "of the grey component becomes black"},
+    {"limit", 4, 0, 4, "of the inks' sum; 3 is 300 %"},
+};
 
-// The curve that encodes an RGB model: that of the set where it is a pure exponent, else the sRGB
-// curve.
-double set_gamma(const Primaries& primaries) {
-  for (const NamedPrimaries& set : primaries_list()) {
-    if (set.primaries == primaries && set.transfer == "gamma 563/256") return 563.0 / 256;
-    if (set.primaries == primaries && set.transfer.starts_with("gamma ")) {
-      return parse_number(set.transfer.substr(6)).value_or(0);
-    }
-  }
-  return 0;
+BlackGeneration black_generation(const ModelContext& context) {
+  return {context.parameters[0], context.parameters[1]};
 }
 
-double decode(double e, double gamma) {
-  return gamma > 0 ? gamma_decode(e, gamma) : srgb_decode(e);
-}
-double encode(double x, double gamma) {
-  return gamma > 0 ? gamma_encode(x, gamma) : srgb_encode(x);
+template <auto function>
+Components black_edge(const Components& c, const ModelContext& context) {
+  return detail::components_of(function(detail::color_of<Cmy>(c), black_generation(context)));
 }
 
-Xyz rgb_to_xyz(const Components& c, const ModelContext& context) {
-  const double gamma = set_gamma(context.primaries);
-  return linear_to_xyz({decode(c[0], gamma), decode(c[1], gamma), decode(c[2], gamma)}, context);
+template <std::size_t system>
+Components to_yiq(const Components& c, const ModelContext& /*context*/) {
+  return detail::components_of(rgb_to_yiq(detail::color_of<EncodedRgb>(c), kYiqSystems[system]));
 }
-Components xyz_to_rgb(Xyz c, const ModelContext& context) {
-  const double gamma = set_gamma(context.primaries);
-  const Components light = xyz_to_linear(c, context);
-  return {encode(light[0], gamma), encode(light[1], gamma), encode(light[2], gamma)};
+template <std::size_t system>
+Components from_yiq(const Components& c, const ModelContext& /*context*/) {
+  return detail::components_of(yiq_to_rgb(detail::color_of<Yiq>(c), kYiqSystems[system]));
 }
-
-Xyz lab_model_to_xyz(const Components& c, const ModelContext& context) {
-  return lab_to_xyz({c[0], c[1], c[2]}, white_xyz(context.white));
-}
-Components xyz_to_lab_model(Xyz c, const ModelContext& context) {
-  const Lab lab = xyz_to_lab(c, white_xyz(context.white));
-  return {lab.l, lab.a, lab.b};
+template <std::size_t system>
+std::string yiq_numbers(const ModelContext& /*context*/) {
+  return "matrix " + detail::matrix_text(yiq_from_rgb(kYiqSystems[system])) + ", inverse " +
+         detail::matrix_text(rgb_from_yiq(kYiqSystems[system]));
 }
 
-Xyz xyy_model_to_xyz(const Components& c, const ModelContext&) {
-  return xyy_to_xyz({c[0], c[1], c[2]});
-}
-Components xyz_to_xyy_model(Xyz c, const ModelContext&) {
-  const Xyy xyy = xyz_to_xyy(c);
-  return {xyy.x, xyy.y, xyy.luminance};
+template <std::size_t system>
+constexpr ColorModel yiq_model(std::string_view name) {
+  return {.name = name,
+          .components = "Y I Q",
+          .ranges = "Y 0..1, I and Q within .6 of 0",
+          .base = "rgb",
+          .to_base = from_yiq<system>,
+          .from_base = to_yiq<system>,
+          .formula = kYiqSystems[system].definition,
+          .source = kYiqSystems[system].source,
+          .numbers = yiq_numbers<system>};
 }
 
-Xyz oklab_model_to_xyz(const Components& c, const ModelContext&) {
-  const Rgb rgb = oklab_to_linear_srgb({c[0], c[1], c[2]});
-  return linear_to_xyz({rgb.r, rgb.g, rgb.b}, {});
+std::string curve_numbers(const ModelContext& context) {
+  return "curve " + curve_name(context.curve) + ": " + curve_formula(context.curve);
 }
-Components xyz_to_oklab_model(Xyz c, const ModelContext&) {
-  const Components rgb = xyz_to_linear(c, {});
-  const Oklab lab = linear_srgb_to_oklab({rgb[0], rgb[1], rgb[2]});
-  return {lab.l, lab.a, lab.b};
+
+std::string black_numbers(const ModelContext& context) {
+  return "gcr " + shortest(context.parameters[0]) + ", limit " + shortest(context.parameters[1]);
+}
+
+std::string white_numbers(const ModelContext& context) {
+  const Xyz white = white_xyz(context.white);
+  return "white " + detail::white_text(context.white) + ": Xn " + shortest(white.x) +
+         ", Yn 1, Zn " + shortest(white.z);
 }
 
 constexpr ColorModel kModels[] = {
-    {"rgb", "R G B", "0..1, encoded by the set's curve", true, false, rgb_to_xyz, xyz_to_rgb,
-     "the curve of the set (a pure exponent where it names one, else sRGB), then as linear",
-     "[IEC61966]"},
-    {"linear", "R G B", "0..1, light", true, false, linear_to_xyz, xyz_to_linear,
-     "M = columns (x, y, 1-x-y) C, C from the white", "[Shoaff 2.2.4]"},
-    {"xyz", "X Y Z", "Y of the white is 1", false, false,
-     [](const Components& c, const ModelContext&) {
-       return Xyz{c[0], c[1], c[2]};
-     },
-     [](Xyz c, const ModelContext&) {
-       return Components{c.x, c.y, c.z};
-     },
-     "the hub", "[CIE15]"},
-    {"xyy", "x y Y", "Y of the white is 1; black has no x and y", false, false, xyy_model_to_xyz,
-     xyz_to_xyy_model, "x = X/(X+Y+Z), y = Y/(X+Y+Z)", "[CIE15]"},
-    {"lab", "L* a* b*", "L* 0..100", false, false, lab_model_to_xyz, xyz_to_lab_model,
-     "L* = 116 f(Y/Yn) - 16, a* = 500 (f(X/Xn) - f(Y/Yn)), b* = 200 (f(Y/Yn) - f(Z/Zn))",
-     "[CIE15 8.2.1]"},
-    {"oklab", "L a b", "L 0..1", false, true, oklab_model_to_xyz, xyz_to_oklab_model,
-     "cube roots of cone responses between two matrices", "[Ottosson20]"},
+    {.name = "xyz",
+     .components = "X Y Z",
+     .ranges = "Y of the white is 1",
+     .base = "",
+     .formula = "the root",
+     .source = "[CIE15 7.1]"},
+    {.name = "linear",
+     .components = "R G B",
+     .ranges = "0..1, light",
+     .base = "xyz",
+     .to_base = detail::matrix_edge,
+     .from_base = detail::matrix_edge,
+     .formula = "XYZ = M RGB, M = columns (x, y, 1-x-y) C, C from the white",
+     .source = "[Shoaff 2.2.4]",
+     .reads_primaries = true},
+    {.name = "rgb",
+     .components = "R G B",
+     .ranges = "0..1, encoded by the set's curve (where it is none of ours: srgb)",
+     .base = "linear",
+     .to_base = detail::decode_edge,
+     .from_base = detail::encode_edge,
+     .formula = "each component by the curve",
+     .source = "[IEC61966]",
+     .reads_curve = true,
+     .numbers = curve_numbers},
+    {.name = "cmy",
+     .components = "C M Y",
+     .ranges = "0..1",
+     .base = "rgb",
+     .to_base = edge<cmy_to_rgb>,
+     .from_base = edge<rgb_to_cmy>,
+     .formula = "1 - RGB",
+     .source = "[Shoaff 2.2.5]"},
+    {.name = "cmyk:subtract",
+     .components = "C M Y K",
+     .ranges = "0..1",
+     .base = "cmy",
+     .to_base = edge<cmyk_subtract_to_cmy>,
+     .from_base = black_edge<cmy_to_cmyk_subtract>,
+     .formula = "K = gcr min(C, M, Y); C-K, M-K, Y-K",
+     .source = "[Shoaff 2.2.5]",
+     .parameters = kBlackGeneration,
+     .numbers = black_numbers},
+    {.name = "cmyk:normalised",
+     .components = "C M Y K",
+     .ranges = "0..1",
+     .base = "cmy",
+     .to_base = edge<cmyk_normalised_to_cmy>,
+     .from_base = black_edge<cmy_to_cmyk_normalised>,
+     .formula = "K = gcr min(C, M, Y); (C-K)/(1-K), (M-K)/(1-K), (Y-K)/(1-K)",
+     .source = "[CSS4 10]",
+     .parameters = kBlackGeneration,
+     .numbers = black_numbers},
+    {.name = "hsv",
+     .components = "H S V",
+     .ranges = "hue 0..360, none for greys; S and V 0..1",
+     .base = "rgb",
+     .to_base = edge<hsv_to_rgb>,
+     .from_base = edge<rgb_to_hsv>,
+     .formula = "V = max, S = (max-min)/max, H = 60 (G-B)/(max-min) from red, likewise from green "
+                "at 120 and blue at 240",
+     .source = "[Smith78]",
+     .hue = 0},
+    {.name = "hls",
+     .components = "H L S",
+     .ranges = "hue 0..360, none for greys; L and S 0..1",
+     .base = "rgb",
+     .to_base = edge<hls_to_rgb>,
+     .from_base = edge<rgb_to_hls>,
+     .formula = "L = (max+min)/2, S = (max-min)/(max+min) up to L = 1/2, else "
+                "(max-min)/((1-max)+(1-min)); H as HSV",
+     .source = "[Shoaff 2.2.7]",
+     .hue = 0},
+    {.name = "hsl",
+     .components = "H S L",
+     .ranges = "hue 0..360, none for greys; S and L 0..1",
+     .base = "rgb",
+     .to_base = edge<hsl_to_rgb>,
+     .from_base = edge<rgb_to_hsl>,
+     .formula = "hls in another order",
+     .source = "[CSS4 7]",
+     .hue = 0},
+    yiq_model<0>("yiq:smpte170m"),
+    yiq_model<1>("yiq:fcc1953"),
+    yiq_model<2>("yiq:notes"),
+    yiq_model<3>("yiq:ntsc-phosphor"),
+    {.name = "xyy",
+     .components = "x y Y",
+     .ranges = "Y of the white is 1; black has no x and y",
+     .base = "xyz",
+     .to_base = edge<xyy_to_xyz>,
+     .from_base = edge<xyz_to_xyy>,
+     .formula = "x = X/(X+Y+Z), y = Y/(X+Y+Z)",
+     .source = "[CIE15 7.3]"},
+    {.name = "uv",
+     .components = "u v Y",
+     .ranges = "CIE 1960; Y of the white is 1; black has no u and v",
+     .base = "xyz",
+     .to_base = edge<uv_to_xyz>,
+     .from_base = edge<xyz_to_uv>,
+     .formula = "u = 4X/(X+15Y+3Z), v = 6Y/(X+15Y+3Z)",
+     .source = "[CIE15 8.1]"},
+    {.name = "uv76",
+     .components = "u' v' Y",
+     .ranges = "CIE 1976; Y of the white is 1; black has no u' and v'",
+     .base = "xyz",
+     .to_base = edge<uv_prime_to_xyz>,
+     .from_base = edge<xyz_to_uv_prime>,
+     .formula = "u' = 4X/(X+15Y+3Z), v' = 9Y/(X+15Y+3Z)",
+     .source = "[CIE15 8.1]",
+     .alias = "u'v'"},
+    {.name = "lab",
+     .components = "L* a* b*",
+     .ranges = "L* 0..100",
+     .base = "xyz",
+     .to_base = white_edge<lab_to_xyz>,
+     .from_base = white_edge<xyz_to_lab>,
+     .formula = "L* = 116 f(Y/Yn) - 16, a* = 500 (f(X/Xn) - f(Y/Yn)), b* = 200 (f(Y/Yn) - "
+                "f(Z/Zn)); f(t) = t^(1/3) above 216/24389, else (24389/27 t + 16)/116",
+     .source = "[CIE15 8.2.1]",
+     .numbers = white_numbers},
+    {.name = "lch",
+     .components = "L* C h",
+     .ranges = "L* 0..100; hue 0..360, none where C is 0",
+     .base = "lab",
+     .to_base = edge<lch_to_lab>,
+     .from_base = edge<lab_to_lch>,
+     .formula = "C = sqrt(a*^2 + b*^2), h = atan2(b*, a*)",
+     .source = "[CIE15 8.2.1]",
+     .alias = "lchab",
+     .hue = 2},
+    {.name = "luv",
+     .components = "L* u* v*",
+     .ranges = "L* 0..100",
+     .base = "xyz",
+     .to_base = white_edge<luv_to_xyz>,
+     .from_base = white_edge<xyz_to_luv>,
+     .formula = "L* as lab, u* = 13 L* (u' - u'n), v* = 13 L* (v' - v'n)",
+     .source = "[CIE15 8.2.2]",
+     .numbers = white_numbers},
+    {.name = "lchuv",
+     .components = "L* C h",
+     .ranges = "L* 0..100; hue 0..360, none where C is 0",
+     .base = "luv",
+     .to_base = edge<lch_to_luv>,
+     .from_base = edge<luv_to_lch>,
+     .formula = "C = sqrt(u*^2 + v*^2), h = atan2(v*, u*)",
+     .source = "[CIE15 8.2.2]",
+     .hue = 2},
+    {.name = "oklab",
+     .components = "L a b",
+     .ranges = "L 0..1",
+     .base = "linear",
+     .to_base = edge<oklab_to_linear_srgb>,
+     .from_base = edge<linear_srgb_to_oklab>,
+     .formula = "cube roots of cone responses between two matrices",
+     .source = "[Ottosson20]",
+     .fixed_primaries = "srgb"},
+    {.name = "oklch",
+     .components = "L C h",
+     .ranges = "L 0..1; hue 0..360, none where C is below 1e-6",
+     .base = "oklab",
+     .to_base = edge<oklch_to_oklab>,
+     .from_base = edge<oklab_to_oklch>,
+     .formula = "C = sqrt(a^2 + b^2), h = atan2(b, a)",
+     .source = "[Ottosson20]",
+     .hue = 2},
 };
 
-bool is_rgb(const ModelReference& reference) { return reference.model->has_primaries; }
-
-// RGB to Lab of one white: greys come out exactly neutral, which the way through XYZ cannot
-// promise.
-bool has_direct_edge(const ModelReference& from, const ModelReference& to, bool one_white) {
-  return one_white && is_rgb(from) && to.model->name == "lab";
-}
-
-std::string white_text(Chromaticity white) {
-  for (const WhitePoint& known : kWhitePoints) {
-    if (known.chromaticity == white) return std::string(known.name);
+// Whether `holds` for the model or one that it comes from.
+template <typename Predicate>
+bool on_the_way(const ColorModel& model, Predicate&& holds) {
+  for (const ColorModel* m = &model; m != nullptr; m = base_of(*m)) {
+    if (holds(*m)) return true;
   }
-  return shortest(white.x) + " " + shortest(white.y);
+  return false;
 }
 
-std::string matrix_text(const Eigen::Matrix3d& m) {
-  std::string text;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) text += (j > 0 ? " " : i > 0 ? " / " : "") + shortest(m(i, j));
-  }
-  return text;
-}
+bool is_fixed(const ColorModel& m) { return !m.fixed_primaries.empty() || !m.fixed_white.empty(); }
 
 }  // namespace
 
 std::span<const ColorModel> color_models() noexcept { return kModels; }
 
-ModelReference parse_model(std::string_view text, std::string_view thing) {
-  const std::size_t at = text.find_first_of(":@");
-  const std::string_view name = text.substr(0, at);
-  ModelReference reference;
-  reference.model = find_by_name(kModels, name);
-  if (reference.model == nullptr) {
-    throw Error(ErrorKind::kMisuse, thing, "unknown model '" + std::string(name) + "'",
-                name_hint(kModels, name));
-  }
-  const std::string_view detail = at == std::string_view::npos ? "" : text.substr(at + 1);
-  const char mark = at == std::string_view::npos ? '\0' : text[at];
-  const bool fits = mark == '\0' || (mark == ':' && is_rgb(reference)) ||
-                    (mark == '@' && !is_rgb(reference) && !reference.model->fixed_white);
-  if (!fits) {
-    throw Error(
-        ErrorKind::kMisuse, thing, "'" + std::string(text) + "' is no model",
-        "primaries go with rgb and linear (rgb:ntsc1953), whites with the others (lab@d50)");
-  }
-  if (mark == ':') {
-    const NamedPrimaries* set = find_by_name(primaries_list(), detail);
-    if (set == nullptr) {
-      throw Error(ErrorKind::kMisuse, thing, "unknown primaries '" + std::string(detail) + "'",
-                  name_hint(primaries_list(), detail));
-    }
-    reference.primaries = set->primaries;
-  }
-  if (mark == '@') {
-    const WhitePoint* white = find_by_name(kWhitePoints, detail);
-    if (white == nullptr) {
-      throw Error(ErrorKind::kMisuse, thing, "unknown white '" + std::string(detail) + "'",
-                  name_hint(kWhitePoints, detail));
-    }
-    reference.white = white->chromaticity;
-  }
-  if (is_rgb(reference)) reference.white = reference.primaries.white;
-  if (reference.model->fixed_white) reference.white = kD65;
-  return reference;
+std::size_t component_count(const ColorModel& model) noexcept {
+  return 1 + static_cast<std::size_t>(
+                 std::count(model.components.begin(), model.components.end(), ' '));
 }
 
-ColorConversion::ColorConversion(const ModelReference& from, const ModelReference& to,
-                                 Adaptation adaptation)
-    : from_(from), to_(to), adaptation_(adaptation) {
-  const Chromaticity from_white = from.white.value_or(to.white.value_or(kD65));
-  const Chromaticity to_white = to.white.value_or(from_white);
-  from_context_ = {from.primaries, from_white};
-  to_context_ = {to.primaries, to_white};
-  (void)xyz_from_rgb(from.primaries);
-  (void)xyz_from_rgb(to.primaries);
-  matrix_ = adaptation_matrix(from_white, to_white, adaptation);
-  one_white_ = from_white == to_white;
-  adapts_ = !one_white_ && adaptation != Adaptation::kNone;
+const ColorModel* base_of(const ColorModel& model) noexcept {
+  return find_by_name(kModels, model.base);
 }
 
-Components ColorConversion::operator()(const Components& c) const {
-  if (from_.model == to_.model && one_white_ && from_.primaries == to_.primaries) return c;
-  if (has_direct_edge(from_, to_, one_white_)) {
-    Components light = c;
-    if (from_.model->name == "rgb") {
-      const double gamma = set_gamma(from_.primaries);
-      for (double& component : light) component = decode(component, gamma);
-    }
-    const Lab lab = rgb_to_lab({light[0], light[1], light[2]}, xyz_from_rgb(from_.primaries));
-    return {lab.l, lab.a, lab.b};
-  }
-  Xyz middle = from_.model->to_xyz(c, from_context_);
-  if (adapts_) middle = xyz(matrix_ * vector(middle));
-  return to_.model->from_xyz(middle, to_context_);
+bool takes_primaries(const ColorModel& model) noexcept {
+  return on_the_way(model, [](const ColorModel& m) { return m.reads_primaries; }) &&
+         !on_the_way(model, is_fixed);
 }
 
-std::vector<std::string> ColorConversion::explain() const {
-  std::vector<std::string> lines;
-  const auto edge = [&](const ModelReference& reference, bool to_hub) {
-    const ColorModel& m = *reference.model;
-    if (m.name == "xyz") return;
-    std::string line =
-        to_hub ? std::string(m.name) + " to xyz: " : "xyz to " + std::string(m.name) + ": ";
-    line += std::string(m.formula) + " " + std::string(m.source);
-    if (is_rgb(reference)) {
-      line += "; matrix " + matrix_text(to_hub ? xyz_from_rgb(reference.primaries)
-                                               : rgb_from_xyz(reference.primaries));
-    }
-    lines.push_back(std::move(line));
-  };
-  edge(from_, true);
-  if (adapts_) {
-    for (const AdaptationMethod& method : kAdaptations) {
-      if (method.method != adaptation_) continue;
-      lines.push_back("white " + white_text(from_context_.white) + " to " +
-                      white_text(to_context_.white) + ": " + std::string(method.name) + " " +
-                      std::string(method.source) + "; matrix " + matrix_text(matrix_));
-    }
-  }
-  edge(to_, false);
-  if (has_direct_edge(from_, to_, one_white_)) {
-    lines.push_back("rgb to lab of one white in one step: greys have a* = b* = 0 exactly");
-  }
-  return lines;
+bool takes_white(const ColorModel& model) noexcept {
+  return !on_the_way(model, [](const ColorModel& m) { return m.reads_primaries || is_fixed(m); });
+}
+
+bool takes_curve(const ColorModel& model) noexcept {
+  return takes_primaries(model) &&
+         on_the_way(model, [](const ColorModel& m) { return m.reads_curve; });
 }
 
 }  // namespace tristim

@@ -1,4 +1,4 @@
-#include "tristim/color/models.h"
+#include "tristim/color/conversion.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -19,58 +19,130 @@ Components convert(const std::string& from, const std::string& to, const Compone
   return ColorConversion(parse_model(from, "--from"), parse_model(to, "--to"), adaptation)(c);
 }
 
+// A hue that both lack, or that is one modulo 360, is no difference.
 void expect_near(const Components& a, const Components& b, double tolerance) {
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::isnan(a[i]) && std::isnan(b[i])) continue;
+    EXPECT_NEAR(std::remainder(a[i] - b[i], 360), 0, tolerance) << a[i] << " and " << b[i];
+  }
 }
 
 // Every model, with primaries or a white of its own where it takes them.
 std::vector<std::string> references() {
   std::vector<std::string> all;
   for (const ColorModel& model : color_models()) {
-    all.emplace_back(model.name);
-    if (model.has_primaries) all.push_back(std::string(model.name) + ":ntsc-1953");
-    if (model.has_primaries) all.push_back(std::string(model.name) + ":adobe-rgb");
-    if (!model.has_primaries && !model.fixed_white) all.push_back(std::string(model.name) + "@d50");
+    const std::string name(model.name);
+    all.push_back(name);
+    if (takes_primaries(model)) all.push_back(name + ":ntsc-1953");
+    if (takes_primaries(model)) all.push_back(name + ":adobe-rgb");
+    if (takes_white(model)) all.push_back(name + "@d50");
   }
   return all;
 }
 
+// Whether it and all that it comes from have edges up and down.
+bool goes_both_ways(const ColorModel& model) {
+  const ColorModel* base = base_of(model);
+  return base == nullptr || (model.to_base != nullptr && model.from_base != nullptr &&
+                             model.to_text == nullptr && goes_both_ways(*base));
+}
+
 TEST(ColorConversion, EveryOrderedPairComesBack) {
+  const Components colors[] = {{0.2, 0.5, 0.7}, {0.9, 0.3, 0.1}, {0.25, 0.25, 0.2}};
   for (const std::string& from : references()) {
     for (const std::string& to : references()) {
-      for (const AdaptationMethod& method : kAdaptations) {
-        SCOPED_TRACE(from + " to " + to + ", " + std::string(method.name));
-        for (const Components srgb : {Components{0.2, 0.5, 0.7}, Components{0.9, 0.3, 0.1},
-                                      Components{0.6, 0.6, 0.6}, Components{1, 1, 1}}) {
-          const Components c = convert("rgb", from, srgb);
-          const Components there = convert(from, to, c, method.method);
-          // 1e-15 of XYZ times 500 and the slopes of the curves; Lab is up to 100.
-          expect_near(convert(to, from, there, method.method), c, 1e-11);
+      for (const Adaptation method : {Adaptation::kBradford, Adaptation::kNone}) {
+        const ModelReference here = parse_model(from, "");
+        const ModelReference there = parse_model(to, "");
+        if (!goes_both_ways(*here.model) || !goes_both_ways(*there.model)) continue;
+        SCOPED_TRACE(from + " to " + to);
+        const ColorConversion start(parse_model("rgb:srgb", ""), here, Adaptation::kBradford);
+        const ColorConversion out(here, there, method);
+        const ColorConversion back(there, here, method);
+        for (const Components& srgb : colors) {
+          const Components c = start(srgb);
+          // 1e-15 of XYZ times 500 and the slopes of the curves; hues are up to 360, and Oklab's
+          // 10-digit matrices amplify tenfold.
+          expect_near(back(out(c)), c, 1e-10);
         }
       }
     }
   }
 }
 
-TEST(ColorConversion, GreysOfEverySetAreExactlyNeutralInLab) {
+TEST(ColorConversion, GreysOfEverySetAreExactlyNeutral) {
   for (const NamedPrimaries& set : primaries_list()) {
-    for (const char* model : {"rgb:", "linear:"}) {
-      SCOPED_TRACE(set.name);
-      const ColorConversion to_lab(parse_model(model + std::string(set.name), ""),
-                                   parse_model("lab", ""), Adaptation::kBradford);
-      for (int code = 0; code <= 255; ++code) {
-        const double v = code / 255.0;
-        const Components lab = to_lab({v, v, v});
-        ASSERT_EQ(lab[1], 0);
-        ASSERT_EQ(lab[2], 0);
+    for (const char* from : {"rgb:", "linear:", "hsv:", "yiq:", "cmyk:"}) {
+      const ModelReference source = parse_model(from + std::string(set.name), "");
+      SCOPED_TRACE(from + std::string(set.name));
+      const ColorConversion grey(parse_model("rgb:" + std::string(set.name), ""), source,
+                                 Adaptation::kNone);
+      for (const char* to : {"lab", "luv", "lab@d50", "luv@a"}) {
+        const ColorConversion conversion(source, parse_model(to, ""), Adaptation::kBradford);
+        const ColorConversion back(parse_model(to, ""), source, Adaptation::kBradford);
+        for (int code = -15; code <= 300; code += 15) {
+          const double v = code / 255.0;
+          const Components lab = conversion(grey({v, v, v}));
+          ASSERT_EQ(lab[1], 0) << to << " " << v;
+          ASSERT_EQ(lab[2], 0) << to << " " << v;
+          const ColorConversion to_rgb(source, parse_model("rgb", ""), Adaptation::kNone);
+          const Components rgb = to_rgb(back(lab));
+          ASSERT_EQ(rgb[0], rgb[1]);
+          ASSERT_EQ(rgb[2], rgb[1]);
+        }
       }
     }
   }
 }
 
+TEST(ColorConversion, GreysStayGreysFromSetToSet) {
+  for (const NamedPrimaries& set : primaries_list()) {
+    SCOPED_TRACE(set.name);
+    const ColorConversion conversion(parse_model("rgb:" + std::string(set.name), ""),
+                                     parse_model("hsv:srgb", ""), Adaptation::kBradford);
+    const Components hsv = conversion({0.4, 0.4, 0.4});
+    EXPECT_TRUE(std::isnan(hsv[0]));
+    EXPECT_EQ(hsv[1], 0);
+  }
+}
+
+TEST(ColorConversion, GoesNoFurtherUpThanItMust) {
+  const auto way = [](const char* from, const char* to) {
+    std::string text;
+    const ColorConversion conversion(parse_model(from, ""), parse_model(to, ""),
+                                     Adaptation::kBradford);
+    for (const ConversionStep& step : conversion.steps()) {
+      text += (text.empty() ? std::string(step.from->name) : "") + " " + std::string(step.to->name);
+    }
+    return text;
+  };
+  EXPECT_EQ(way("hsv", "rgb:srgb"), "hsv rgb");
+  EXPECT_EQ(way("hsv:ntsc1953", "yiq:notes"), "hsv rgb yiq:notes");
+  EXPECT_EQ(way("hsv:ntsc1953", "yiq:notes:ntsc1953"), "hsv rgb yiq:notes");
+  EXPECT_EQ(way("hsv:ntsc1953", "hls:smpte-c"), "hsv rgb linear linear rgb hls");
+  EXPECT_EQ(way("rgb:bt709", "rgb:srgb/gamma2.2"), "rgb linear rgb");
+  EXPECT_EQ(way("rgb:srgb/gamma2.2", "oklch"), "rgb linear oklab oklch");
+  EXPECT_EQ(way("lch", "luv@d50"), "lch lab xyz luv");
+  EXPECT_EQ(way("lch@d65", "luv@d50"), "lch lab xyz xyz luv");
+  EXPECT_EQ(way("hsv", "lchuv"), "hsv rgb linear luv lchuv");
+  EXPECT_EQ(way("lchuv@d50", "hsv"), "lchuv luv linear rgb hsv");
+  EXPECT_EQ(way("cmyk:gcr=0.5", "cmyk:gcr=1"), "cmyk:subtract cmy cmyk:subtract");
+  EXPECT_EQ(way("cmyk", "cmyk"), "");
+}
+
+TEST(ColorConversion, TakesTheOtherSidesPrimaries) {
+  // The HSV of NTSC RGB: nothing is converted but the model.
+  expect_near(convert("rgb:ntsc1953", "hsv", {1, 0.5, 0}), {30, 1, 1}, 1e-14);
+  expect_near(convert("hsv", "rgb:ntsc1953", {30, 1, 1}), {1, 0.5, 0}, 1e-15);
+  EXPECT_NE(convert("rgb:ntsc1953", "hsv:srgb", {1, 0.5, 0})[0], 30);
+  // Oklab is made of sRGB light, and names no primaries.
+  EXPECT_EQ(convert("oklab", "rgb", {0.5, 0.1, 0.1}),
+            convert("oklab", "rgb:srgb", {0.5, 0.1, 0.1}));
+}
+
 TEST(ColorConversion, WhiteGoesToWhiteWhereItAdapts) {
   expect_near(convert("rgb:ntsc-1953", "lab@d50", {1, 1, 1}), {100, 0, 0}, 1e-12);
-  expect_near(convert("lab@d50", "rgb:srgb", {100, 0, 0}), {1, 1, 1}, 1e-13);
+  expect_near(convert("lab@d50", "rgb:srgb", {100, 0, 0}), {1, 1, 1}, 2e-16);  // the curve at 1
   expect_near(convert("rgb:ntsc-1953", "oklab", {1, 1, 1}), {1, 0, 0}, 4e-8);  // as published
 }
 
@@ -113,8 +185,18 @@ TEST(ColorConversion, HasKnownValues) {
 TEST(ColorConversion, NanStaysNan) {
   for (const std::string& from : references()) {
     for (const std::string& to : references()) {
-      const Components c = convert(from, to, {std::nan(""), 0.5, 0.5});
-      EXPECT_TRUE(std::isnan(c[0]) || std::isnan(c[1]) || std::isnan(c[2])) << from << " " << to;
+      const ModelReference here = parse_model(from, "");
+      const ModelReference there = parse_model(to, "");
+      if (!goes_both_ways(*here.model) || !goes_both_ways(*there.model)) continue;
+      const ColorConversion conversion(here, there, Adaptation::kBradford);
+      for (std::size_t i = 0; i < component_count(*here.model); ++i) {
+        Components c{0.3, 0.3, 0.3, 0.3};
+        c[i] = std::nan("");
+        const Components out = conversion(c);
+        EXPECT_TRUE(std::isnan(out[0]) || std::isnan(out[1]) || std::isnan(out[2]) ||
+                    std::isnan(out[3]))
+            << from << " " << to << " " << i;
+      }
     }
   }
 }
@@ -123,28 +205,64 @@ TEST(ColorConversion, ExplainsItsSteps) {
   const ColorConversion conversion(parse_model("rgb", ""), parse_model("lab@d50", ""),
                                    Adaptation::kBradford);
   const std::vector<std::string> lines = conversion.explain();
-  ASSERT_EQ(lines.size(), 3U);
-  EXPECT_TRUE(lines[0].starts_with("rgb to xyz: ")) << lines[0];
-  EXPECT_TRUE(lines[1].starts_with("white d65 to d50: bradford [Lam85]; matrix 1.04")) << lines[1];
-  EXPECT_TRUE(lines[2].starts_with("xyz to lab: ")) << lines[2];
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_TRUE(
+      lines[0].starts_with("rgb to linear: each component by the curve [IEC61966]; curve "
+                           "srgb: E = 12.92 L"))
+      << lines[0];
+  EXPECT_TRUE(lines[1].starts_with("linear to lab: ")) << lines[1];
+  const std::vector<std::string> white =
+      ColorConversion(parse_model("lab@d65", ""), parse_model("xyz@d50", ""), Adaptation::kBradford)
+          .explain();
+  ASSERT_EQ(white.size(), 2U);
+  EXPECT_TRUE(white[1].starts_with("white d65 to d50: bradford [Lam85]; matrix 1.04")) << white[1];
+}
+
+TEST(ColorModels, MakeATreeWithOneRoot) {
+  for (const ColorModel& model : color_models()) {
+    SCOPED_TRACE(model.name);
+    EXPECT_EQ(model.base.empty(), model.name == "xyz");
+    if (!model.base.empty()) ASSERT_NE(base_of(model), nullptr);
+    EXPECT_TRUE(model.base.empty() || base_of(model) < &model);
+    EXPECT_LE(component_count(model), Components{}.size());
+    EXPECT_LE(model.parameters.size(), ModelParameters{}.size());
+    EXPECT_FALSE(model.ranges.empty() || model.formula.empty() || model.source.empty());
+    EXPECT_EQ(parse_model(model.name, "").model, &model);
+    if (!model.alias.empty()) EXPECT_EQ(parse_model(model.alias, "").model, &model);
+  }
 }
 
 TEST(ParseModel, NamesWhatItDoesNotKnow) {
   const auto text = [](const char* model) {
     return error_text([&] { parse_model(model, "--from"); });
   };
-  EXPECT_EQ(text("lba"),
-            "2 --from: unknown model 'lba'; use one of: rgb, linear, xyz, xyy, lab, oklab");
   EXPECT_EQ(text("linera"), "2 --from: unknown model 'linera'; did you mean linear?");
+  EXPECT_TRUE(text("qwrt").starts_with("2 --from: unknown model 'qwrt'; use one of: xyz, linear, "))
+      << text("qwrt");
   EXPECT_EQ(text("rgb:ntsc1935"),
             "2 --from: unknown primaries 'ntsc1935'; did you mean ntsc-1953?");
+  EXPECT_EQ(text("yiq:fcc1935"), "2 --from: unknown variant 'fcc1935'; did you mean fcc1953?");
+  EXPECT_EQ(text("yiq:fcc1953:strgb"), "2 --from: unknown primaries 'strgb'; did you mean srgb?");
   EXPECT_EQ(text("lab@d56"), "2 --from: unknown white 'd56'; did you mean d50?");
-  const std::string remedy =
-      "; primaries go with rgb and linear (rgb:ntsc1953), whites with the others (lab@d50)";
-  EXPECT_EQ(text("lab:srgb"), "2 --from: 'lab:srgb' is no model" + remedy);
-  EXPECT_EQ(text("rgb@d50"), "2 --from: 'rgb@d50' is no model" + remedy);
-  EXPECT_EQ(text("oklab@d50"), "2 --from: 'oklab@d50' is no model" + remedy);
+  EXPECT_EQ(text("lab@0.3,0.9"),
+            "2 --from: '0.3,0.9' is no chromaticity; give x,y such as 0.3127,0.329");
+  EXPECT_EQ(text("lab:srgb"),
+            "2 --from: 'srgb' does not go with lab; a white can be named: lab@d50");
+  EXPECT_EQ(text("oklab:srgb"), "2 --from: 'srgb' does not go with oklab; leave it out");
+  EXPECT_EQ(text("rgb@d50"), "2 --from: rgb has a white of its own; leave out '@d50'");
+  EXPECT_EQ(text("oklab@d50"), "2 --from: oklab has a white of its own; leave out '@d50'");
+  EXPECT_EQ(text("rgb:srgb/srbg"), "2 --from: unknown curve 'srbg'; did you mean srgb?");
+  EXPECT_EQ(text("linear:srgb/srgb"), "2 --from: linear has no curve; leave out '/srgb'");
+  EXPECT_EQ(text("rgb:1,2,3"),
+            "2 --from: 3 numbers are no primaries; give x,y of red, green, blue and the white, or "
+            "of the three and Yr,Yg,Yb");
+  EXPECT_EQ(text("rgb:0.1,0.1,0.2,0.2,0.3,0.3,0.3,0.3").substr(0, 60),
+            "2 --from: primaries: the three chromaticities lie on a line;");
+  EXPECT_EQ(text("cmyk:grc=1"), "2 --from: unknown parameter 'grc'; use one of: gcr, limit");
+  EXPECT_EQ(text("cmyk:gcr=2"), "2 --from: gcr cannot be '2'; give a number from 0 to 1");
+  EXPECT_EQ(text("lab:gcr=1"), "2 --from: unknown parameter 'gcr'; lab has none");
   EXPECT_NE(text("rgb:"), "");
+  EXPECT_NE(text("rgb:srgb:srgb"), "");
   EXPECT_NE(text(""), "");
 }
 
@@ -152,9 +270,23 @@ TEST(ParseModel, FoldsNamesAndFixesWhites) {
   EXPECT_EQ(parse_model("RGB:NTSC_1953", "").primaries,
             find_by_name(primaries_list(), "ntsc-1953")->primaries);
   EXPECT_EQ(parse_model("LAB@D50", "").white, kD50);
-  EXPECT_EQ(parse_model("oklab", "").white, kD65);
-  EXPECT_EQ(parse_model("rgb", "").white, kD65);
+  EXPECT_EQ(parse_model("lab@0.31,0.33", "").white, (Chromaticity{0.31, 0.33}));
   EXPECT_FALSE(parse_model("xyz", "").white);
+  EXPECT_FALSE(parse_model("rgb", "").primaries);
+  EXPECT_EQ(parse_model("yiq", "").model->name, "yiq:smpte170m");
+  EXPECT_EQ(parse_model("cmyk:normalised:gcr=0.5:limit=3", "").parameters,
+            (ModelParameters{0.5, 3}));
+}
+
+TEST(ParseModel, TakesPrimariesAsNumbers) {
+  EXPECT_EQ(parse_model("rgb:0.64,0.33,0.3,0.6,0.15,0.06,0.3127,0.329", "").primaries, Primaries{});
+  // The luminances of sRGB make its white.
+  const auto white =
+      parse_model(
+          "rgb:0.64,0.33,0.3,0.6,0.15,0.06,0.21263900587151,0.71516867876776,0.07219231536073", "")
+          .primaries->white;
+  EXPECT_NEAR(white.x, kD65.x, 1e-13);
+  EXPECT_NEAR(white.y, kD65.y, 1e-13);
 }
 
 }  // namespace

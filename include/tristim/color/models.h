@@ -1,73 +1,111 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "tristim/color/primaries.h"
+#include "tristim/color/rgb_curve.h"
 
 namespace tristim {
 
-/// A colour in whatever model: its components in the model's order.
-using Components = std::array<double, 3>;
+/// A colour in whatever model: its components in the model's order, those it has no use for 0.
+using Components = std::array<double, 4>;
 
-/// What the numbers of a model are relative to.
+/// Up to two numbers that a model's definition leaves open.
+using ModelParameters = std::array<double, 2>;
+
+/// What the numbers on an edge are relative to.
 struct ModelContext {
-  Primaries primaries;        // of RGB models
-  Chromaticity white = kD65;  // of the others; RGB models take their primaries' white
+  Primaries primaries;           // of RGB models
+  RgbCurve curve;                // of encoded RGB models
+  Chromaticity white = kD65;     // of XYZ (Y = 1) and what comes from it; that of the primaries
+  ModelParameters parameters{};  // in the order of the model's list
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();  // of edges that are one: ConversionStep
 };
 
-/// A colour model with its two edges to XYZ. XYZ is relative to the context's white, Y = 1.
+/// A number that a model's definition leaves open, given as "name=value".
+struct ModelParameter {
+  std::string_view name;
+  double value = 0;  // unless given
+  double least = 0, most = 0;
+  std::string_view meaning;
+};
+
+using Edge = Components (*)(const Components& c, const ModelContext& context);
+
+/// A colour model, and its edges to and from the model that it is defined by.
+///
+/// The models make a tree with XYZ at its root. Models with variants are one row for each, named
+/// "yiq:fcc1953"; "yiq" alone is the first of them. To add a model: its edges in
+/// lib/color/edges.h, and one row in lib/color/models.cpp.
 struct ColorModel {
   std::string_view name;
-  std::string_view components;  // "L a b"
+  std::string_view components;  // their names, separated by spaces: "L* a* b*"
   std::string_view ranges;      // in words
-  bool has_primaries;           // named as rgb:srgb
-  bool fixed_white;             // always D65; else named as lab@d50
-  Xyz (*to_xyz)(const Components& c, const ModelContext& context);
-  Components (*from_xyz)(Xyz xyz, const ModelContext& context);
+  std::string_view base;        // "" for the root
+  Edge to_base = nullptr;       // nullptr where nothing leads from this model
+  Edge from_base = nullptr;     // nullptr where nothing leads to it
   std::string_view formula;
   std::string_view source;
+  std::string_view alias = {};  // another name that it goes by
+
+  int hue = -1;  // which component is a hue in degrees, undefined for greys; -1: none
+
+  // What its edges read of the context. Their base's edges read more.
+  bool reads_primaries = false;
+  bool reads_curve = false;
+  std::string_view fixed_primaries = {};  // where the model is defined for one set
+  std::string_view fixed_white = {};      // where it is defined under one white
+  std::span<const ModelParameter> parameters = {};
+
+  // The numbers behind the formula, for explanations; nullptr: none but the matrix.
+  std::string (*numbers)(const ModelContext& context) = nullptr;
+
+  // Of models whose colours are words, such as names: then the first component is a number that
+  // only these two know. Nothing where the text is no colour of the model.
+  std::string (*to_text)(const Components& c) = nullptr;
+  std::optional<Components> (*from_text)(std::string_view text) = nullptr;
 };
 
-/// Every model. The command line, the docs and the property tests read this list.
+/// Every model, bases first. The command line, the docs and the property tests read this list.
 std::span<const ColorModel> color_models() noexcept;
 
-/// A model as text names it: "rgb:ntsc1953", "lab@d50", "xyz", "oklab".
+/// How many numbers a colour of the model has, 1 to 4.
+std::size_t component_count(const ColorModel& model) noexcept;
+
+/// The model that `model` is defined by; nullptr for the root.
+const ColorModel* base_of(const ColorModel& model) noexcept;
+
+/// Whether RGB lies between the model and XYZ, so that primaries can be named for it; whether its
+/// white can be named; whether a curve can.
+bool takes_primaries(const ColorModel& model) noexcept;
+bool takes_white(const ColorModel& model) noexcept;
+bool takes_curve(const ColorModel& model) noexcept;
+
+/// A model with what its name says of its context.
 struct ModelReference {
   const ColorModel* model = nullptr;
-  Primaries primaries;
-  std::optional<Chromaticity> white;  // where the name or the model fixes one
+  std::optional<Primaries> primaries = {};
+  std::optional<RgbCurve> curve = {};
+  std::optional<Chromaticity> white = {};  // also that of the primaries
+  ModelParameters parameters{};
 };
 
-/// Parses a reference. Throws Error (kMisuse) "<thing>: ..." for unknown models, primaries and
-/// whites, with the nearest name.
+/// Parses "model", "model:variant", and behind either, in this order, what the model takes:
+///
+///   :SET              "rgb:ntsc1953", "hsv:display-p3", "yiq:fcc1953:ntsc1953"
+///   :xr,yr,...,xw,yw  red, green, blue and white chromaticities; with nine numbers the last three
+///                     are the luminances Yr, Yg, Yb that make the white
+///   :SET/CURVE        "rgb:bt2020/pq", "rgb:srgb/gamma2.2": another curve than the set's own
+///   :name=value       "cmyk:normalised:replacement=0.5:limit=3"
+///   @WHITE            "lab@d50", "lab@0.31,0.33"
+///
+/// Throws Error (kMisuse) "<thing>: ..." for what it does not know, with the nearest name.
 ModelReference parse_model(std::string_view text, std::string_view thing);
-
-/// One way from a model to another: to XYZ, adapted from white to white where both are fixed and
-/// differ, and on. Where one side has no white of its own it takes the other's, so that nothing is
-/// adapted; where neither has, D65.
-class ColorConversion {
- public:
-  /// Throws std::invalid_argument where primaries lie on a line.
-  ColorConversion(const ModelReference& from, const ModelReference& to, Adaptation adaptation);
-
-  /// Any numbers; NaN in gives NaN out.
-  Components operator()(const Components& c) const;
-
-  /// The steps in words, with their numbers: "step: formula [source]".
-  std::vector<std::string> explain() const;
-
- private:
-  ModelReference from_, to_;
-  ModelContext from_context_, to_context_;
-  Adaptation adaptation_;
-  Eigen::Matrix3d matrix_;  // white to white
-  bool adapts_ = false;
-  bool one_white_ = true;
-};
 
 }  // namespace tristim

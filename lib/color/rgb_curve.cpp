@@ -1,0 +1,57 @@
+#include "tristim/color/rgb_curve.h"
+
+#include "tristim/core/find.h"
+#include "tristim/core/text.h"
+
+namespace tristim {
+namespace {
+
+// "2.2" or "563/256".
+std::optional<double> parse_exponent(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const auto numerator = parse_number(text.substr(0, slash));
+  if (!numerator || slash == std::string_view::npos) return numerator;
+  const auto denominator = parse_number(text.substr(slash + 1));
+  if (!denominator) return std::nullopt;
+  return *numerator / *denominator;
+}
+
+}  // namespace
+
+double encode(const RgbCurve& curve, double linear) noexcept {
+  if (!curve.is_exponent()) return curve.function.encode(linear);
+  return curve.gamma == 1 ? linear : gamma_encode(linear, curve.gamma);
+}
+
+double decode(const RgbCurve& curve, double encoded) noexcept {
+  if (!curve.is_exponent()) return curve.function.decode(encoded);
+  return curve.gamma == 1 ? encoded : gamma_decode(encoded, curve.gamma);
+}
+
+std::optional<RgbCurve> parse_rgb_curve(std::string_view text) {
+  if (same_name(text, "linear")) return RgbCurve{{}, 1};
+  if (const TransferFunction* known = find_by_name(kTransferFunctions, text)) {
+    return RgbCurve{*known, 1};
+  }
+  constexpr std::string_view kGamma = "gamma";
+  if (!same_name(text.substr(0, kGamma.size()), kGamma)) return std::nullopt;
+  text.remove_prefix(kGamma.size());
+  if (text.starts_with(' ')) text.remove_prefix(1);
+  const auto exponent = parse_exponent(text);
+  if (!exponent || !(*exponent > 0 && *exponent < 1e3)) return std::nullopt;
+  return RgbCurve{{}, *exponent};
+}
+
+std::string curve_name(const RgbCurve& curve) {
+  if (!curve.is_exponent()) return std::string(curve.function.name);
+  return curve.gamma == 1 ? "linear" : "gamma " + shortest(curve.gamma);
+}
+
+std::string curve_formula(const RgbCurve& curve) {
+  if (!curve.is_exponent()) {
+    return std::string(curve.function.formula) + " " + std::string(curve.function.source);
+  }
+  return "E = L^(1/" + shortest(curve.gamma) + "), odd below 0";
+}
+
+}  // namespace tristim

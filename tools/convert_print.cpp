@@ -1,0 +1,124 @@
+#include "tools/convert_print.h"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "tools/cli.h"
+#include "tools/report.h"
+#include "tristim/core/text.h"
+
+namespace tristim::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string color_text(const ColorModel& model, const Components& c, bool odd) {
+  if (model.to_text != nullptr) return model.to_text(c);
+  std::string text;
+  for (std::size_t i = 0; i < component_count(model); ++i) {
+    text += i > 0 ? " " : "";
+    text += std::isnan(c[i]) && !odd ? "none" : shortest(c[i]);
+  }
+  return text;
+}
+
+Json color_json(const ColorModel& model, const Components& c) {
+  if (model.to_text != nullptr) return model.to_text(c);
+  Json numbers = Json::array();
+  for (std::size_t i = 0; i < component_count(model); ++i) numbers.push_back(number_json(c[i]));
+  return numbers;
+}
+
+// A colour and what each step makes of it.
+struct Station {
+  const ColorModel* model;
+  Components values;
+};
+
+std::vector<Station> way_of(const Components& color, const ColorConversion& conversion) {
+  std::vector<Station> way{{&conversion.from(), color}};
+  for (const ConversionStep& step : conversion.steps()) {
+    way.push_back({step.to, step.apply(way.back().values, step.context)});
+  }
+  return way;
+}
+
+std::string way_text(const std::vector<Station>& way, bool odd) {
+  std::string text;
+  for (const Station& station : way) {
+    text += (text.empty() ? "" : " -> ") + std::string(station.model->name) + " " +
+            color_text(*station.model, station.values, odd);
+  }
+  return text + "\n";
+}
+
+Json way_json(const std::vector<Station>& way) {
+  Json json = Json::array();
+  for (const Station& station : way) {
+    json.push_back(
+        {{"model", station.model->name}, {"values", color_json(*station.model, station.values)}});
+  }
+  return json;
+}
+
+// Conversions of `from` to every model that can be reached and is relative to the same primaries
+// and white where it can be.
+std::vector<ColorConversion> all_conversions(const ModelReference& from, Adaptation adaptation) {
+  std::vector<ColorConversion> all;
+  for (const ColorModel& model : color_models()) {
+    if (model.from_base == nullptr && !model.base.empty()) continue;
+    all.emplace_back(from, parse_model(model.name, "--to"), adaptation);
+  }
+  return all;
+}
+
+}  // namespace
+
+void print_colors(std::span<const ColorRow> rows, const ColorConversion& conversion,
+                  const PrintOptions& options) {
+  Json colors = Json::array();
+  Json ways = Json::array();
+  std::string text;
+  std::string explanation;
+  for (const std::string& step : conversion.explain()) explanation += step + "\n";
+  for (const ColorRow& row : rows) {
+    const std::vector<Station> way = way_of(row.values, conversion);
+    const Components& out = way.back().values;
+    explanation += options.explain && !options.json ? way_text(way, row.odd) : "";
+    if (options.json && options.explain) ways.push_back(way_json(way));
+    if (options.json) colors.push_back(color_json(conversion.to(), out));
+    text += color_text(conversion.to(), out, row.odd) + "\n";
+  }
+  if (!options.json) return print(options.explain ? explanation + text : text);
+  Json json{{"from", options.from}, {"to", options.to}, {"rows", colors}};
+  if (options.explain) json["steps"] = conversion.explain();
+  if (options.explain) json["ways"] = ways;
+  print(json_line(json));
+}
+
+void print_all_models(std::span<const ColorRow> rows, const ModelReference& from,
+                      Adaptation adaptation, const PrintOptions& options) {
+  const std::vector<ColorConversion> conversions = all_conversions(from, adaptation);
+  Json json = Json::array();
+  std::string text;
+  for (const ColorRow& row : rows) {
+    Json models = Json::object();
+    if (!text.empty()) text += "\n";
+    for (const ColorConversion& conversion : conversions) {
+      const ColorModel& model = conversion.to();
+      const Components out = conversion(row.values);
+      std::string name(model.name);
+      name.resize(20, ' ');
+      std::string components(model.components);
+      components.resize(10, ' ');
+      text += name + components + color_text(model, out, row.odd) + "\n";
+      if (options.json) models[std::string(model.name)] = color_json(model, out);
+    }
+    json.push_back(models);
+  }
+  if (!options.json) return print(text);
+  print(json_line(Json{{"from", options.from}, {"to", "all"}, {"rows", json}}));
+}
+
+}  // namespace tristim::tools
