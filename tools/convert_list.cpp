@@ -74,9 +74,11 @@ std::string context_text() {
   }
   text += "  or a chromaticity: lab@0.31,0.33\n\nCURVE: formula, source\n";
   for (const TransferFunction& curve : kTransferFunctions) {
-    text += row(curve.name, "", std::string(curve.formula) + "  " + std::string(curve.source));
+    text += row(curve.name, "",
+                std::string(curve.formula) + "; " + std::string(curve.domain) + "  " +
+                    std::string(curve.source));
   }
-  text += row("linear, gammaN", "", "E = L, E = L^(1/N)") + "\n--adapt: source\n";
+  text += row("gammaN", "", "E = L^(1/N); N as 2.2 or 563/256") + "\n--adapt: source\n";
   for (const AdaptationMethod& method : kAdaptations) text += row(method.name, "", method.source);
   return text;
 }
@@ -124,7 +126,10 @@ Json lists_json() {
   }
   Json curves = Json::array();
   for (const TransferFunction& curve : kTransferFunctions) {
-    curves.push_back({{"name", curve.name}, {"formula", curve.formula}, {"source", curve.source}});
+    curves.push_back({{"name", curve.name},
+                      {"domain", curve.domain},
+                      {"formula", curve.formula},
+                      {"source", curve.source}});
   }
   Json adaptations = Json::array();
   for (const AdaptationMethod& method : kAdaptations) {

@@ -6,6 +6,7 @@
 #include "lib/color/matrix_text.h"
 #include "tristim/color/cmyk.h"
 #include "tristim/color/hsv.h"
+#include "tristim/color/ictcp.h"
 #include "tristim/color/lch.h"
 #include "tristim/color/oklab.h"
 #include "tristim/color/uv.h"
@@ -58,6 +59,22 @@ constexpr ColorModel yiq_model(std::string_view name) {
           .formula = kYiqSystems[system].definition,
           .source = kYiqSystems[system].source,
           .numbers = yiq_numbers<system>};
+}
+
+constexpr ModelParameter kPqWhite[] = {
+    {"white", 1, 1e-6, 1e6, "cd/m2 of linear RGB 1; 203 for diffuse white"}};
+
+Components to_ictcp_pq(const Components& c, const ModelContext& context) {
+  const double white = context.parameters[0];
+  return detail::components_of(bt2020_to_ictcp_pq({c[0] * white, c[1] * white, c[2] * white}));
+}
+Components from_ictcp_pq(const Components& c, const ModelContext& context) {
+  const double white = context.parameters[0];
+  const Rgb light = ictcp_pq_to_bt2020(detail::color_of<Ictcp>(c));
+  return {light.r / white, light.g / white, light.b / white, 0};
+}
+std::string pq_numbers(const ModelContext& context) {
+  return "RGB 1 is " + shortest(context.parameters[0]) + " cd/m2";
 }
 
 std::string curve_numbers(const ModelContext& context) {
@@ -242,6 +259,26 @@ constexpr ColorModel kModels[] = {
      .formula = "C = sqrt(a^2 + b^2), h = atan2(b, a)",
      .source = "[Ottosson20]",
      .hue = 2},
+    {.name = "ictcp:pq",
+     .components = "I Ct Cp",
+     .ranges = "I 0..1 up to 10000 cd/m2; linear BT.2020 RGB counts cd/m2 unless white is given",
+     .base = "linear",
+     .to_base = from_ictcp_pq,
+     .from_base = to_ictcp_pq,
+     .formula = "cone responses by PQ between two matrices of 4096ths",
+     .source = "[BT2100 table 7]",
+     .fixed_primaries = "bt2020",
+     .parameters = kPqWhite,
+     .numbers = pq_numbers},
+    {.name = "ictcp:hlg",
+     .components = "I Ct Cp",
+     .ranges = "I 0..1; linear BT.2020 RGB is light of the scene, 0..1",
+     .base = "linear",
+     .to_base = edge<ictcp_hlg_to_bt2020>,
+     .from_base = edge<bt2020_to_ictcp_hlg>,
+     .formula = "cone responses by HLG between two matrices of 4096ths",
+     .source = "[BT2100 table 7]",
+     .fixed_primaries = "bt2020"},
 };
 
 // Whether `holds` for the model or one that it comes from.

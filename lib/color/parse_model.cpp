@@ -88,7 +88,7 @@ RgbCurve curve_of(std::string_view text, std::string_view thing) {
   if (const auto curve = parse_rgb_curve(text)) return *curve;
   const std::string hint = name_hint(kTransferFunctions, text);
   refuse(thing, "unknown curve " + quoted(text),
-         hint.starts_with("use") ? hint + ", linear, gamma2.2" : hint);
+         hint.starts_with("use") ? hint + ", gamma2.2" : hint);
 }
 
 Chromaticity white_of(std::string_view text, std::string_view thing) {

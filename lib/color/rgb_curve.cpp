@@ -19,17 +19,14 @@ std::optional<double> parse_exponent(std::string_view text) {
 }  // namespace
 
 double encode(const RgbCurve& curve, double linear) noexcept {
-  if (!curve.is_exponent()) return curve.function.encode(linear);
-  return curve.gamma == 1 ? linear : gamma_encode(linear, curve.gamma);
+  return curve.is_exponent() ? gamma_encode(linear, curve.gamma) : curve.function.encode(linear);
 }
 
 double decode(const RgbCurve& curve, double encoded) noexcept {
-  if (!curve.is_exponent()) return curve.function.decode(encoded);
-  return curve.gamma == 1 ? encoded : gamma_decode(encoded, curve.gamma);
+  return curve.is_exponent() ? gamma_decode(encoded, curve.gamma) : curve.function.decode(encoded);
 }
 
 std::optional<RgbCurve> parse_rgb_curve(std::string_view text) {
-  if (same_name(text, "linear")) return RgbCurve{{}, 1};
   if (const TransferFunction* known = find_by_name(kTransferFunctions, text)) {
     return RgbCurve{*known, 1};
   }
@@ -44,7 +41,7 @@ std::optional<RgbCurve> parse_rgb_curve(std::string_view text) {
 
 std::string curve_name(const RgbCurve& curve) {
   if (!curve.is_exponent()) return std::string(curve.function.name);
-  return curve.gamma == 1 ? "linear" : "gamma " + shortest(curve.gamma);
+  return "gamma " + shortest(curve.gamma);
 }
 
 std::string curve_formula(const RgbCurve& curve) {

@@ -22,7 +22,7 @@ struct RgbCurve {
 double encode(const RgbCurve& curve, double linear) noexcept;
 double decode(const RgbCurve& curve, double encoded) noexcept;
 
-/// A curve by its name, "linear", or an exponent: "gamma 2.2", "gamma2.2", "gamma 563/256". Nothing
+/// A curve by its name, or an exponent: "gamma 2.2", "gamma2.2", "gamma 563/256". Nothing
 /// where it is none.
 std::optional<RgbCurve> parse_rgb_curve(std::string_view text);
 

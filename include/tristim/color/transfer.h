@@ -142,7 +142,4 @@ inline constexpr TransferFunction kTransferFunctions[] = {
      "[AcesCct 4.4]", "0..65504, straight below 0"},
 };
 
-/// Every curve without parameters. The RGB models find theirs here.
-inline constexpr TransferFunction kTransferFunctions[] = {kSrgbTransfer};
-
 }  // namespace tristim
