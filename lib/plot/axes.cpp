@@ -14,6 +14,10 @@ constexpr double kNumberSize = 11;
 constexpr double kTitleSize = 13;
 constexpr double kTitleGap = 44;  // from the frame to the baseline of the title
 constexpr SvgStroke kLine{"#333", 1};
+constexpr double kLegendSize = 11;
+constexpr double kLegendRow = 17;     // pixels from key to key
+constexpr double kLegendSample = 22;  // length of a key's line
+constexpr double kLegendPad = 8;
 
 // Decimals that show a step: 0.25 has two.
 int decimals_of(double step) {
@@ -54,6 +58,11 @@ PlotAxes::PlotAxes(SvgDrawing& svg, SvgPoint corner, double width, double height
 SvgPoint PlotAxes::at(PlotPoint point) const noexcept {
   return {corner_.x + width_ * (point.x - x_.from) / (x_.to - x_.from),
           corner_.y + height_ * (y_.to - point.y) / (y_.to - y_.from)};
+}
+
+PlotPoint PlotAxes::point(SvgPoint place) const noexcept {
+  return {x_.from + (x_.to - x_.from) * (place.x - corner_.x) / width_,
+          y_.to - (y_.to - y_.from) * (place.y - corner_.y) / height_};
 }
 
 std::vector<SvgPoint> PlotAxes::at(std::span<const PlotPoint> points) const {
@@ -99,32 +108,40 @@ void PlotAxes::curve(std::span<const PlotPoint> points, const SvgStroke& stroke)
   svg_.end_clip();
 }
 
-double PlotAxes::legend(std::span<const PlotKey> keys, PlotCorner corner) const {
-  constexpr double kSize = 11;
-  constexpr double kRow = 17;
-  constexpr double kSample = 22;
-  constexpr double kPad = 8;
-  constexpr double kWider = 1.15;  // DejaVu Sans, where there is no Helvetica
-  double widest = 0;
-  for (const PlotKey& key : keys) widest = std::max(widest, kWider * kSize * text_width(key.text));
-  const double w = 3 * kPad + kSample + widest;
-  const double h = 2 * kPad - 4 + kRow * static_cast<double>(keys.size());
+PlotBox PlotAxes::legend(std::span<const PlotKey> keys, PlotCorner corner) const {
+  const PlotBox size = legend_box(keys, {});
   const bool left = corner == PlotCorner::kTopLeft || corner == PlotCorner::kBottomLeft;
   const bool top = corner == PlotCorner::kTopLeft || corner == PlotCorner::kTopRight;
-  const SvgPoint box{left ? corner_.x + kPad : corner_.x + width_ - w - kPad,
-                     top ? corner_.y + kPad : corner_.y + height_ - h - kPad};
-  svg_.rectangle(box, w, h, {.fill = "#fff", .stroke = {"#ccc", 0.8}, .opacity = 0.88});
-  double y = box.y + kPad - 2 + kRow / 2;
+  const SvgPoint place{
+      left ? corner_.x + kLegendPad : corner_.x + width_ - size.width - kLegendPad,
+      top ? corner_.y + kLegendPad : corner_.y + height_ - size.height - kLegendPad};
+  draw_legend(svg_, keys, place);
+  return legend_box(keys, place);
+}
+
+PlotBox legend_box(std::span<const PlotKey> keys, SvgPoint corner) {
+  constexpr double kWider = 1.15;  // DejaVu Sans, where there is no Helvetica
+  double widest = 0;
+  for (const PlotKey& key : keys) widest = std::max(widest, text_width(key.text));
+  return {corner, 3 * kLegendPad + kLegendSample + kWider * kLegendSize * widest,
+          2 * kLegendPad - 4 + kLegendRow * static_cast<double>(keys.size())};
+}
+
+void draw_legend(SvgDrawing& svg, std::span<const PlotKey> keys, SvgPoint corner) {
+  const PlotBox box = legend_box(keys, corner);
+  svg.rectangle(corner, box.width, box.height,
+                {.fill = "#fff", .stroke = {"#ccc", 0.8}, .opacity = 0.88});
+  const double x = corner.x + kLegendPad;
+  double y = corner.y + kLegendPad - 2 + kLegendRow / 2;
   for (const PlotKey& key : keys) {
-    const double x = box.x + kPad;
-    svg_.line({x, y}, {x + kSample, y}, key.stroke);
+    svg.line({x, y}, {x + kLegendSample, y}, key.stroke);
     if (!key.fill.empty()) {
-      svg_.circle({x + kSample / 2, y}, 3.5, {.fill = key.fill, .stroke = {"#222", 0.8}});
+      svg.circle({x + kLegendSample / 2, y}, 3.5, {.fill = key.fill, .stroke = {"#222", 0.8}});
     }
-    svg_.text({x + kSample + kPad, y + 0.36 * kSize}, key.text, {.size = kSize});
-    y += kRow;
+    svg.text({x + kLegendSample + kLegendPad, y + 0.36 * kLegendSize}, key.text,
+             {.size = kLegendSize});
+    y += kLegendRow;
   }
-  return box.y + h;
 }
 
 double nice_step(double range, int parts) {

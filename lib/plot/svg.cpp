@@ -11,6 +11,8 @@ namespace {
 constexpr std::string_view kFonts =
     "Helvetica,Arial,'Liberation Sans','Nimbus Sans','DejaVu Sans',sans-serif";
 
+constexpr double kHaloOpacity = 0.75;
+
 std::string number(double value) {
   std::string text = fixed_text(value, 2);
   while (text.ends_with('0')) text.pop_back();
@@ -29,6 +31,7 @@ std::string attribute(std::string_view name, double value) {
 std::string stroke_attributes(const SvgStroke& stroke) {
   if (!(stroke.width > 0)) return {};
   std::string text = attribute("stroke", stroke.color) + attribute("stroke-width", stroke.width);
+  if (stroke.opacity != 1) text += attribute("stroke-opacity", stroke.opacity);
   if (!stroke.dash.empty()) text += attribute("stroke-dasharray", stroke.dash);
   return text;
 }
@@ -135,16 +138,18 @@ void SvgDrawing::text(SvgPoint place, std::string_view text, const SvgFont& font
                                         " " + number(place.y) + ")");
   }
   if (!font.halo.empty()) {
-    body_ += stroke_attributes({font.halo, font.size / 4}) + attribute("paint-order", "stroke");
+    body_ += stroke_attributes({font.halo, font.size / 4, {}, kHaloOpacity}) +
+             attribute("paint-order", "stroke");
   }
   body_ += ">" + xml_escaped(text) + "</text>\n";
 }
 
-void SvgDrawing::begin_clip(std::span<const SvgPoint> polygon) {
+void SvgDrawing::begin_clip(std::span<const SvgPoint> polygon, double opacity) {
   const std::string id = "c" + std::to_string(++ids_);
   body_ += "<clipPath" + attribute("id", id) + "><polygon" +
            points_attribute(finite(polygon) ? polygon : std::span<const SvgPoint>{}) +
-           "/></clipPath>\n<g" + attribute("clip-path", "url(#" + id + ")") + ">\n";
+           "/></clipPath>\n<g" + attribute("clip-path", "url(#" + id + ")") +
+           (opacity != 1 ? attribute("opacity", opacity) : "") + ">\n";
 }
 
 void SvgDrawing::end_clip() { body_ += "</g>\n"; }

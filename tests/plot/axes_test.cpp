@@ -18,6 +18,7 @@ TEST(PlotAxes, PlacesPointsInTheFrame) {
   EXPECT_EQ(axes.at({2, -1}), (SvgPoint{250, 120}));
   EXPECT_EQ(axes.at({1, 0}), (SvgPoint{150, 70}));
   EXPECT_EQ(axes.at({4, 0}), (SvgPoint{450, 70}));
+  EXPECT_EQ(axes.point({450, 70}), (PlotPoint{4, 0}));
 }
 
 TEST(PlotAxes, NumbersAndNamesItsAxes) {
@@ -52,9 +53,11 @@ TEST(PlotAxes, ListsKeysInACorner) {
     const PlotAxes axes(svg, {50, 20}, 200, 100, {}, {});
     const PlotKey keys[] = {{.text = "n = 1", .stroke = {"#c00", 2}},
                             {.text = "a <colour>", .fill = "#fff"}};
-    const double below = axes.legend(keys, corner);
-    EXPECT_GT(below, 20);
-    EXPECT_LT(below, 120);
+    const PlotBox box = axes.legend(keys, corner);
+    EXPECT_GT(box.corner.x, 50);
+    EXPECT_GT(box.corner.y, 20);
+    EXPECT_LT(box.corner.x + box.width, 250);
+    EXPECT_LT(box.corner.y + box.height, 120);
     const std::string text = svg.document();
     EXPECT_EQ(xml_complaint(text), "");
     EXPECT_EQ(count_of(text, ">n = 1<"), 1U);

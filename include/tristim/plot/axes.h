@@ -29,6 +29,16 @@ struct PlotKey {
   std::string_view fill = {};  // a dot, where it is not empty
 };
 
+/// A rectangle on the drawing.
+struct PlotBox {
+  SvgPoint corner;  // top left
+  double width = 0, height = 0;
+};
+
+/// How large a legend is, and the legend itself, on white: a key a row.
+PlotBox legend_box(std::span<const PlotKey> keys, SvgPoint corner);
+void draw_legend(SvgDrawing& svg, std::span<const PlotKey> keys, SvgPoint corner);
+
 /// Where a legend stands in its frame.
 enum class PlotCorner { kTopLeft, kTopRight, kBottomLeft, kBottomRight };
 
@@ -47,6 +57,9 @@ class PlotAxes {
   SvgPoint at(PlotPoint point) const noexcept;
   std::vector<SvgPoint> at(std::span<const PlotPoint> points) const;
 
+  /// The point of the plot at a place of the drawing: the inverse of at().
+  PlotPoint point(SvgPoint place) const noexcept;
+
   /// Thin lines at every number of both axes.
   void grid(const SvgStroke& stroke = {"#e3e3e3", 0.8}) const;
 
@@ -56,8 +69,8 @@ class PlotAxes {
   /// A line through the points that shows inside of the frame only; NaN breaks it.
   void curve(std::span<const PlotPoint> points, const SvgStroke& stroke) const;
 
-  /// A list of keys on white; returns where its lower edge is on the drawing.
-  double legend(std::span<const PlotKey> keys, PlotCorner corner) const;
+  /// A legend in a corner of the frame; returns where it is.
+  PlotBox legend(std::span<const PlotKey> keys, PlotCorner corner) const;
 
   SvgPoint corner() const noexcept { return corner_; }
   double width() const noexcept { return width_; }

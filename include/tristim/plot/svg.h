@@ -17,6 +17,7 @@ struct SvgStroke {
   std::string_view color = "#222";
   double width = 0;
   std::string_view dash = {};  // lengths of dashes and gaps, "4 3"; empty: solid
+  double opacity = 1;
 };
 
 struct SvgPaint {
@@ -64,8 +65,9 @@ class SvgDrawing {
   /// `place` is on the baseline; any UTF-8.
   void text(SvgPoint place, std::string_view text, const SvgFont& font);
 
-  /// What is drawn until end_clip() shows inside of the polygon only. Clips nest.
-  void begin_clip(std::span<const SvgPoint> polygon);
+  /// What is drawn until end_clip() shows inside of the polygon only, with that opacity as a whole.
+  /// Clips nest.
+  void begin_clip(std::span<const SvgPoint> polygon, double opacity = 1);
   void end_clip();
 
   double width() const noexcept { return width_; }
