@@ -40,9 +40,8 @@ const Observer* find_observer(std::string_view text) noexcept {
 
 Xyz matching_functions(const Observer& observer, int lambda_nm) noexcept {
   if (lambda_nm < kFirst || lambda_nm > kLast) return {};
-  const auto row = static_cast<std::size_t>(lambda_nm - kFirst);
-  const SpectralTable& table = *observer.table;
-  return {table.value(row, 0), table.value(row, 1), table.value(row, 2)};
+  const double* row = &observer.table->cells[4 * static_cast<std::size_t>(lambda_nm - kFirst)];
+  return {row[1], row[2], row[3]};
 }
 
 Xyz xyz_of_light(const Spectrum& power, const Observer& observer, const SumRule& rule) {

@@ -26,7 +26,7 @@ Vector operator-(Chromaticity a, Chromaticity b) { return {a.x - b.x, a.y - b.y}
 double cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
 double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 
-using Locus = std::array<Chromaticity, kPoints>;
+using Locus = std::array<Chromaticity, kPoints + 1>;  // ends where it begins: the purple line
 
 Locus make_locus() {
   Locus locus;
@@ -35,6 +35,7 @@ Locus make_locus() {
     const double total = bar.x + bar.y + bar.z;
     locus[i] = {bar.x / total, bar.y / total};
   }
+  locus[kPoints] = locus[0];
   return locus;
 }
 
@@ -43,39 +44,43 @@ const Locus& locus_points() {
   return locus;
 }
 
-// Where a ray from the white leaves the diagram: the point relative to the white, and its
+// Where a line through the white leaves the diagram: the point relative to the white, and its
 // wavelength, or nothing on the purple line.
 struct Exit {
   Vector point;
   std::optional<double> lambda_nm;
 };
 
-// Where the ray from the origin along `ray` crosses the segment from a to b, which follow one
-// another clockwise: the share of b, [0, 1]. Nothing elsewhere.
-std::optional<double> crossing(Vector ray, Vector a, Vector b) {
-  const double before = cross(a, ray);
-  const double behind = cross(b, ray);
-  if (!(before <= 0 && behind >= 0 && before < behind)) return std::nullopt;
-  return before / (before - behind);
+// The exits along a ray from the white and against it; nothing where a white outside the diagram
+// has none.
+struct Exits {
+  std::optional<Exit> ahead, behind;
+};
+
+// The point at share t of the way from a, the locus' point i, to b.
+Exit exit_at(std::size_t i, Vector a, Vector b, double t) {
+  const Vector point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+  if (i + 1 == kPoints) return {point, {}};
+  return {point, kLocusFirstNm + static_cast<double>(i) + t};
 }
 
-Vector between(Vector a, Vector b, double t) {
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-}
-
-std::optional<Exit> exit_of(Chromaticity white, Vector ray) {
+Exits exits_of(Chromaticity white, Vector ray) {
   const Locus& locus = locus_points();
+  Exits exits;
   Vector a = locus[0] - white;
-  for (std::size_t i = 0; i + 1 < kPoints; ++i) {
+  double from = cross(a, ray);
+  // The locus and the purple line run clockwise: they cross the ray from its left to its right.
+  for (std::size_t i = 0; i < kPoints; ++i) {
     const Vector b = locus[i + 1] - white;
-    if (const auto t = crossing(ray, a, b)) {
-      return Exit{between(a, b, *t), kLocusFirstNm + static_cast<double>(i) + *t};
+    const double to = cross(b, ray);
+    if (!(from * to > 0) && from != to) {
+      auto& exit = from < to ? exits.ahead : exits.behind;
+      if (!exit) exit = exit_at(i, a, b, from / (from - to));
     }
     a = b;
+    from = to;
   }
-  const Vector violet = locus[0] - white;
-  if (const auto t = crossing(ray, a, violet)) return Exit{between(a, violet, *t), {}};
-  return std::nullopt;
+  return exits;
 }
 
 }  // namespace
@@ -83,8 +88,7 @@ std::optional<Exit> exit_of(Chromaticity white, Vector ray) {
 DominantWavelength dominant_wavelength(Chromaticity color, Chromaticity white) noexcept {
   const Vector ray = color - white;
   if (std::fabs(ray.x) <= kSameColor && std::fabs(ray.y) <= kSameColor) return {kNaN, kNaN, 0, 0};
-  const auto exit = exit_of(white, ray);
-  const auto opposite = exit_of(white, {-ray.x, -ray.y});
+  const auto [exit, opposite] = exits_of(white, ray);
   // A white outside the diagram sees parts of the locus run backwards, and cross behind it.
   if (!exit || !(dot(ray, exit->point) > 0)) return {kNaN, kNaN, kNaN, kNaN};
   const double complementary = opposite && opposite->lambda_nm ? *opposite->lambda_nm : kNaN;
@@ -99,7 +103,7 @@ Chromaticity chromaticity_of_wavelength(double dominant_nm, double excitation_pu
   if (excitation_purity == 0) return white;
   Vector end = spectral_locus(std::fabs(dominant_nm)) - white;
   if (dominant_nm < 0) {
-    const auto purple = exit_of(white, {-end.x, -end.y});
+    const auto purple = exits_of(white, end).behind;
     if (!purple || purple->lambda_nm) return {kNaN, kNaN};
     end = purple->point;
   }
