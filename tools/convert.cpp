@@ -6,6 +6,7 @@
 #include "tools/convert_list.h"
 #include "tools/convert_print.h"
 #include "tools/convert_rows.h"
+#include "tools/convert_spectrum.h"
 #include "tristim/color/conversion.h"
 #include "tristim/color/interpolate.h"
 #include "tristim/core/error.h"
@@ -23,6 +24,10 @@ constexpr std::string_view kExamples =
     "  tristim convert --to cmyk:normalised:gcr=0.5:limit=3 navy\n"
     "  tristim convert --mix hsv --arc longer --steps 5 --to rgb red lime\n"
     "  printf '0.2 0.3 0.4  # a row\\n1,1,1\\n' | tristim convert --from linear:bt2020 --to xyy\n"
+    "  tristim convert --from planckian --to rgb 1900 2856 6500 10000\n"
+    "  tristim convert --to wavelength@d65 tomato navy\n"
+    "  tristim spectrum f11 | tristim convert --from spectrum --to cct\n"
+    "  tristim convert --from spectrum leaf.csv --to lab --illuminant d65 --observer 10\n"
     "  tristim convert --to all tomato\n"
     "  tristim convert --list\n";
 
@@ -34,6 +39,7 @@ struct Options {
   std::string mix;
   HueArc arc = HueArc::kShorter;
   int steps = 5;
+  SpectrumSettings spectrum;
   bool list = false;
 };
 
@@ -52,7 +58,8 @@ void declare(CommandLine& line, Options& options) {
                   "colours: numbers, #rrggbb, CSS names; or one file of rows; without any: rows of "
                   "standard input, a colour each, comments from # on",
                   options.words, 0, 1 << 20);
-  line.option("--from", "MODEL", "default: rgb:srgb", options.print.from);
+  line.option("--from", "MODEL", "default: rgb:srgb; spectrum reads files of spectra",
+              options.print.from);
   line.option("--to", "MODEL", "such as lab, xyz@d50, linear:display-p3, or all; see --list",
               options.print.to);
   line.option("--input", "FILE", "rows of a file; - is standard input", options.input);
@@ -65,6 +72,7 @@ void declare(CommandLine& line, Options& options) {
   line.flag("--json", "print the colours as JSON", options.print.json);
   line.flag("--list", "print models, primaries, whites and curves with ranges and sources",
             options.list);
+  declare_spectrum_options(line, options.spectrum);
   line.section("Mixing");
   line.option("--mix", "MODEL", "mix each pair of colours in this model", options.mix);
   line.option("--arc", list_names(kHueArcs, "|"), "which way round hues go; default: shorter",
@@ -81,6 +89,12 @@ bool is_row_file(const Options& options, const ModelReference& from) {
          std::filesystem::is_regular_file(options.words[0], ignored);
 }
 
+void refuse_terminal_input(const std::string& what, const std::string& instead) {
+  if (isatty(STDIN_FILENO) != 1) return;
+  throw Error(ErrorKind::kMisuse, "convert", what + " are given",
+              "give " + instead + ", or pipe rows into standard input");
+}
+
 std::vector<ColorRow> read_rows(const Options& options, const ModelReference& from) {
   std::string input = options.input;
   if (!input.empty() && !options.words.empty()) {
@@ -92,10 +106,7 @@ std::vector<ColorRow> read_rows(const Options& options, const ModelReference& fr
   } else if (!options.words.empty()) {
     return read_color_arguments(options.words, from);
   }
-  if (input.empty() && isatty(STDIN_FILENO) == 1) {
-    throw Error(ErrorKind::kMisuse, "convert", "no colours are given",
-                "give numbers or names, or pipe rows into standard input");
-  }
+  if (input.empty()) refuse_terminal_input("no colours", "numbers or names");
   const bool standard_input = input.empty() || input == "-";
   return read_color_rows(read_text_file(standard_input ? "-" : input),
                          standard_input ? "standard input" : input, from);
@@ -121,23 +132,51 @@ std::vector<ColorRow> mixed(const std::vector<ColorRow>& rows, const ColorConver
   return mixtures;
 }
 
-void convert(const Options& options) {
-  const ModelReference from = parse_model(options.print.from, "--from");
+// Colours and the model that they are in.
+struct Source {
   std::vector<ColorRow> rows;
-  ModelReference source = from;
-  if (options.mix.empty()) {
-    rows = read_rows(options, from);
-  } else {
-    const ColorConversion to_mix(from, parse_model(options.mix, "--mix"), options.adaptation);
-    rows = mixed(read_rows(options, from), to_mix, options);
-    source = to_mix.to_reference();
+  ModelReference model;
+};
+
+std::vector<std::string> spectrum_files(const Options& options) {
+  std::vector<std::string> files = options.words;
+  if (!options.input.empty()) files.push_back(options.input);
+  if (files.empty()) {
+    refuse_terminal_input("no spectra", "files of spectra");
+    files.emplace_back("-");
+  }
+  return files;
+}
+
+// `options` gets to know what the colours were made of.
+Source read_source(Options& options) {
+  if (same_name(options.print.from, "spectrum")) {
+    SpectrumColors colors = read_spectrum_colors(spectrum_files(options), options.spectrum);
+    options.print.origin = std::move(colors.explanation);
+    options.print.origin_facts = std::move(colors.facts);
+    return {std::move(colors.rows), colors.model};
+  }
+  if (options.spectrum.given) {
+    throw Error(ErrorKind::kMisuse, "--from", "'" + options.print.from + "' is no spectrum",
+                "--illuminant, --observer, --rule and --white-luminance go with --from spectrum");
+  }
+  const ModelReference model = parse_model(options.print.from, "--from");
+  return {read_rows(options, model), model};
+}
+
+void convert(Options& options) {
+  Source source = read_source(options);
+  if (!options.mix.empty()) {
+    const ColorConversion to_mix(source.model, parse_model(options.mix, "--mix"),
+                                 options.adaptation);
+    source = {mixed(source.rows, to_mix, options), to_mix.to_reference()};
   }
   if (same_name(options.print.to, "all")) {
-    return print_all_models(rows, source, options.adaptation, options.print);
+    return print_all_models(source.rows, source.model, options.adaptation, options.print);
   }
-  const ColorConversion conversion(source, parse_model(options.print.to, "--to"),
+  const ColorConversion conversion(source.model, parse_model(options.print.to, "--to"),
                                    options.adaptation);
-  print_colors(rows, conversion, options.print);
+  print_colors(source.rows, conversion, options.print);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tools/convert_print.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -62,6 +63,13 @@ Json way_json(const std::vector<Station>& way) {
   return json;
 }
 
+std::vector<std::string> explained_steps(const ColorConversion& conversion,
+                                         const PrintOptions& options) {
+  std::vector<std::string> steps = conversion.explain();
+  if (!options.origin.empty()) steps.insert(steps.begin(), options.origin);
+  return steps;
+}
+
 // Conversions of `from` to every model that can be reached and is relative to the same primaries
 // and white where it can be.
 std::vector<ColorConversion> all_conversions(const ModelReference& from, Adaptation adaptation) {
@@ -81,7 +89,7 @@ void print_colors(std::span<const ColorRow> rows, const ColorConversion& convers
   Json ways = Json::array();
   std::string text;
   std::string explanation;
-  for (const std::string& step : conversion.explain()) explanation += step + "\n";
+  for (const std::string& step : explained_steps(conversion, options)) explanation += step + "\n";
   for (const ColorRow& row : rows) {
     const std::vector<Station> way = way_of(row.values, conversion);
     const Components& out = way.back().values;
@@ -92,7 +100,8 @@ void print_colors(std::span<const ColorRow> rows, const ColorConversion& convers
   }
   if (!options.json) return print(options.explain ? explanation + text : text);
   Json json{{"from", options.from}, {"to", options.to}, {"rows", colors}};
-  if (options.explain) json["steps"] = conversion.explain();
+  if (!options.origin.empty()) json[options.from] = options.origin_facts;
+  if (options.explain) json["steps"] = explained_steps(conversion, options);
   if (options.explain) json["ways"] = ways;
   print(json_line(json));
 }
@@ -111,7 +120,7 @@ void print_all_models(std::span<const ColorRow> rows, const ModelReference& from
       std::string name(model.name);
       name.resize(20, ' ');
       std::string components(model.components);
-      components.resize(10, ' ');
+      components.resize(std::max<std::size_t>(10, components.size() + 1), ' ');
       text += name + components + color_text(model, out, row.odd) + "\n";
       if (options.json) models[std::string(model.name)] = color_json(model, out);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
@@ -13,6 +14,11 @@ struct PrintOptions {
   std::string from, to;  // as the user named them
   bool json = false;
   bool explain = false;  // the steps first, and each colour on its way
+
+  // Of colours that were made of something else, such as spectra: how, in words, and facts of it
+  // for JSON under its name.
+  std::string origin = {};
+  nlohmann::ordered_json origin_facts = {};
 };
 
 /// Prints the converted colours, one a line, or one JSON object.

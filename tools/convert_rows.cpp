@@ -43,13 +43,21 @@ std::string_view without_comment(std::string_view line) {
   return trimmed(text.substr(0, text.find('#', color ? 1 : 0)));
 }
 
+// Whether conversions can end in a model.
+bool leads_to(const ColorModel& model) {
+  const ColorModel* base = base_of(model);
+  return base == nullptr || (model.from_base != nullptr && leads_to(*base));
+}
+
 // Turns words into colours of the source model.
 class ColorReader {
  public:
   explicit ColorReader(const ModelReference& model)
-      : model_(model),
-        count_(component_count(*model.model)),
-        named_(parse_model("rgb:srgb", "colour"), model, Adaptation::kBradford) {}
+      : model_(model), count_(component_count(*model.model)) {
+    if (leads_to(*model.model)) {
+      named_.emplace(parse_model("rgb:srgb", "colour"), model, Adaptation::kBradford);
+    }
+  }
 
   /// A whole text that is a colour by itself.
   std::optional<ColorRow> whole(std::string_view text) const {
@@ -57,8 +65,8 @@ class ColorReader {
       if (const auto values = model_.model->from_text(text)) return ColorRow{*values};
     }
     const auto color = parse_number(text) ? std::nullopt : parse_color(text);
-    if (!color || words_of(text).size() > 1) return std::nullopt;
-    return ColorRow{named_({color->r, color->g, color->b})};
+    if (!color || !named_ || words_of(text).size() > 1) return std::nullopt;
+    return ColorRow{(*named_)({color->r, color->g, color->b})};
   }
 
   /// A component; nothing where the word is none.
@@ -97,7 +105,7 @@ class ColorReader {
  private:
   ModelReference model_;
   std::size_t count_;
-  ColorConversion named_;  // sRGB to the source model, for names
+  std::optional<ColorConversion> named_;  // sRGB to the source model, for names, if it can be
 };
 
 }  // namespace

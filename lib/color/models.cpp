@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "lib/color/edges.h"
+#include "lib/color/light_edges.h"
 #include "lib/color/matrix_text.h"
 #include "tristim/color/cmyk.h"
 #include "tristim/color/hsv.h"
 #include "tristim/color/ictcp.h"
 #include "tristim/color/lch.h"
 #include "tristim/color/oklab.h"
+#include "tristim/color/planckian.h"
 #include "tristim/color/uv.h"
 #include "tristim/color/yiq.h"
 #include "tristim/core/find.h"
@@ -89,6 +91,14 @@ std::string white_numbers(const ModelContext& context) {
   const Xyz white = white_xyz(context.white);
   return "white " + detail::white_text(context.white) + ": Xn " + shortest(white.x) +
          ", Yn 1, Zn " + shortest(white.z);
+}
+
+constexpr ModelParameter kRadiation[] = {
+    {"c2", kC2, 1.4e-2, 1.5e-2, "m K; CODATA 2018 has 0.014387768775039338"},
+};
+
+std::string radiation_numbers(const ModelContext& context) {
+  return "c2 = " + shortest(context.parameters[0]) + " m K";
 }
 
 constexpr ColorModel kModels[] = {
@@ -186,6 +196,54 @@ constexpr ColorModel kModels[] = {
      .from_base = edge<xyz_to_xyy>,
      .formula = "x = X/(X+Y+Z), y = Y/(X+Y+Z)",
      .source = "[CIE15 7.3]"},
+    {.name = "cct",
+     .components = "T Duv Y",
+     .ranges = "kelvins from 200 to inf; Duv -.1..+.1, above 0 on the green side, else none",
+     .base = "xyy",
+     .to_base = detail::cct_to_xyy_edge,
+     .from_base = detail::xyy_to_cct_edge,
+     .formula =
+         "nearest point of the Planckian locus in CIE 1960 u, v, the true minimum; the locus "
+         "by the CIE 1931 observer, sum at 1 nm from 360 to 830",
+     .source = "[CIE15 9.4]",
+     .parameters = kRadiation,
+     .numbers = radiation_numbers},
+    {.name = "planckian",
+     .components = "T",
+     .ranges = "kelvins above 0, inf as well; Y is 1",
+     .base = "xyy",
+     .to_base = detail::planckian_to_xyy_edge,
+     .formula = "power as lambda^-5/(exp(c2/(lambda T)) - 1), CIE 1931 observer, sum at 1 nm from "
+                "360 to 830",
+     .source = "[CIE15 4.1.1]",
+     .parameters = kRadiation,
+     .numbers = radiation_numbers},
+    {.name = "daylight",
+     .components = "T",
+     .ranges = "kelvins 4000..25000; Y is 1",
+     .base = "xyy",
+     .to_base = detail::daylight_to_xyy_edge,
+     .formula = "x a polynomial of 1/T, another above 7000 K; y = -3 x^2 + 2.870 x - 0.275",
+     .source = "[CIE15 4.1.2]"},
+    {.name = "wavelength",
+     .components = "lambda_d lambda_c p_e p_c",
+     .ranges = "nm 380..700, lambda_d of purples minus the complementary one; none for the white",
+     .base = "xyy",
+     .from_base = detail::xyy_to_wavelength_edge,
+     .formula =
+         "the ray from the white through the colour meets the spectral locus (CIE 1931, 1 nm) "
+         "or the purple line in G: p_e = CF/CG, p_c = p_e yG/yF",
+     .source = "[Shoaff 2.2.3]",
+     .numbers = white_numbers},
+    {.name = "helmholtz",
+     .components = "lambda_d p_e Y",
+     .ranges = "as wavelength; Y of the white is 1",
+     .base = "xyy",
+     .to_base = detail::helmholtz_to_xyy_edge,
+     .from_base = detail::xyy_to_helmholtz_edge,
+     .formula = "as wavelength, and the luminance, which make the colour again",
+     .source = "[Shoaff 2.2.3]",
+     .numbers = white_numbers},
     {.name = "uv",
      .components = "u v Y",
      .ranges = "CIE 1960; Y of the white is 1; black has no u and v",

@@ -19,11 +19,13 @@ Components convert(const std::string& from, const std::string& to, const Compone
   return ColorConversion(parse_model(from, "--from"), parse_model(to, "--to"), adaptation)(c);
 }
 
-// A hue that both lack, or that is one modulo 360, is no difference.
+// A hue that both lack, or that is one modulo 360, is no difference. The tolerance is relative
+// above 1: temperatures are thousands of kelvins.
 void expect_near(const Components& a, const Components& b, double tolerance) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::isnan(a[i]) && std::isnan(b[i])) continue;
-    EXPECT_NEAR(std::remainder(a[i] - b[i], 360), 0, tolerance) << a[i] << " and " << b[i];
+    EXPECT_NEAR(std::remainder(a[i] - b[i], 360), 0, tolerance * std::fmax(1, std::fabs(b[i])))
+        << a[i] << " and " << b[i];
   }
 }
 
@@ -61,6 +63,7 @@ TEST(ColorConversion, EveryOrderedPairComesBack) {
         const ColorConversion back(there, here, method);
         for (const Components& srgb : colors) {
           const Components c = start(srgb);
+          if (std::isinf(c[0]) || std::isinf(out(c)[0])) continue;  // bluer than any temperature
           // 1e-15 of XYZ times 500 and the slopes of the curves; hues are up to 360, and Oklab's
           // 10-digit matrices amplify tenfold.
           expect_near(back(out(c)), c, 1e-10);
