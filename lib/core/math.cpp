@@ -152,6 +152,12 @@ double cbrt(double x) noexcept {
   return x < 0 ? -t : t;
 }
 
+DoubleDouble cube_root(DoubleDouble x) noexcept {
+  const double t = cbrt(x.hi);  // one Newton step doubles its digits
+  const Dd rest = subtract(x, multiply(two_product(t, t), t));
+  return quick_two_sum(t, rest.hi / (3 * t * t));
+}
+
 double exp(double x) noexcept {
   if (std::isnan(x)) return x;
   return exp_precise(x).hi;

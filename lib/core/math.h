@@ -26,6 +26,9 @@ DoubleDouble pow_precise(DoubleDouble x, DoubleDouble y) noexcept;
 /// Cube root, odd; maximum error 1 ulp.
 double cbrt(double x) noexcept;
 
+/// Cube root of 1e-100 < x < 1e100 to about 100 bits.
+DoubleDouble cube_root(DoubleDouble x) noexcept;
+
 /// e^x and ln x through pow's kernels; maximum error 1 ulp.
 double exp(double x) noexcept;
 double log(double x) noexcept;
