@@ -7,6 +7,7 @@ namespace tristim::tools {
 void run_process(Arguments arguments);
 void run_convert(Arguments arguments);
 void run_spectrum(Arguments arguments);
+void run_gamut(Arguments arguments);
 void run_levels(Arguments arguments);
 void run_device(Arguments arguments);
 void run_info(Arguments arguments);
@@ -20,6 +21,7 @@ inline constexpr Command kCommands[] = {
      "colours from one model to another", run_convert},
     {"spectrum", "NAME... [options]", "spectral tables and illuminants, as text or drawn",
      run_spectrum},
+    {"gamut", "SET... [options]", "areas, coverage and diagrams of gamuts", run_gamut},
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
     {"device", "list|show|check [D...] [options]", "list, show and check devices", run_device},
     {"info", "FILE... [options]", "what a picture file is", run_info},

@@ -7,6 +7,7 @@
 #include "tools/convert_print.h"
 #include "tools/convert_rows.h"
 #include "tools/convert_spectrum.h"
+#include "tools/diagram.h"
 #include "tristim/color/conversion.h"
 #include "tristim/color/interpolate.h"
 #include "tristim/core/error.h"
@@ -29,6 +30,7 @@ constexpr std::string_view kExamples =
     "  tristim spectrum f11 | tristim convert --from spectrum --to cct\n"
     "  tristim convert --from spectrum leaf.csv --to lab --illuminant d65 --observer 10\n"
     "  tristim convert --to all tomato\n"
+    "  tristim convert tomato teal gold --diagram colours.svg --gamuts bt2020\n"
     "  tristim convert --list\n";
 
 struct Options {
@@ -40,7 +42,8 @@ struct Options {
   HueArc arc = HueArc::kShorter;
   int steps = 5;
   SpectrumSettings spectrum;
-  bool list = false;
+  DiagramOptions diagram;
+  bool list = false, force = false;
 };
 
 // The member of a list that an option names.
@@ -72,6 +75,7 @@ void declare(CommandLine& line, Options& options) {
   line.flag("--json", "print the colours as JSON", options.print.json);
   line.flag("--list", "print models, primaries, whites and curves with ranges and sources",
             options.list);
+  line.flag("--force", "replace an existing file", options.force);
   declare_spectrum_options(line, options.spectrum);
   line.section("Mixing");
   line.option("--mix", "MODEL", "mix each pair of colours in this model", options.mix);
@@ -80,6 +84,7 @@ void declare(CommandLine& line, Options& options) {
   line.option(
       "--steps", "N", "colours from one to the other, both included; default: 5",
       [&](const std::string& v) { options.steps = integer_option("--steps", v, 2, 1 << 16); });
+  declare_diagram(line, options.diagram);
 }
 
 // A sole argument that is no colour but a file is one of rows.
@@ -164,6 +169,18 @@ Source read_source(Options& options) {
   return {read_rows(options, model), model};
 }
 
+void draw(const Source& source, const Options& options) {
+  ChromaticityDiagram diagram =
+      diagram_of(source.rows, color_labels(options.words, source.rows.size()), source.model);
+  if (!same_name(options.print.from, "spectrum")) {
+    add_gamut(diagram, options.print.from, "--from");
+  }
+  if (!options.print.to.empty() && !same_name(options.print.to, "all")) {
+    add_gamut(diagram, options.print.to, "--to");
+  }
+  write_diagram(diagram, options.diagram, options.force);
+}
+
 void convert(Options& options) {
   Source source = read_source(options);
   if (!options.mix.empty()) {
@@ -171,6 +188,8 @@ void convert(Options& options) {
                                  options.adaptation);
     source = {mixed(source.rows, to_mix, options), to_mix.to_reference()};
   }
+  if (!options.diagram.output.empty()) draw(source, options);
+  if (options.print.to.empty() || options.diagram.output == "-") return;
   if (same_name(options.print.to, "all")) {
     return print_all_models(source.rows, source.model, options.adaptation, options.print);
   }
@@ -187,7 +206,7 @@ void run_convert(Arguments arguments) {
   declare(line, options);
   if (!line.parse(arguments)) return;
   if (options.list) return list_color_models(options.print.json);
-  if (options.print.to.empty()) {
+  if (options.print.to.empty() && options.diagram.output.empty()) {
     throw Error(ErrorKind::kMisuse, "--to", "is missing",
                 "give a model such as lab or hsv; convert --list shows all");
   }
