@@ -109,6 +109,10 @@ void print_colors(std::span<const ColorRow> rows, const ColorConversion& convers
 void print_all_models(std::span<const ColorRow> rows, const ModelReference& from,
                       Adaptation adaptation, const PrintOptions& options) {
   const std::vector<ColorConversion> conversions = all_conversions(from, adaptation);
+  std::size_t width = 0;
+  for (const ColorConversion& conversion : conversions) {
+    width = std::max(width, conversion.to().components.size() + 2);
+  }
   Json json = Json::array();
   std::string text;
   for (const ColorRow& row : rows) {
@@ -120,7 +124,7 @@ void print_all_models(std::span<const ColorRow> rows, const ModelReference& from
       std::string name(model.name);
       name.resize(20, ' ');
       std::string components(model.components);
-      components.resize(std::max<std::size_t>(10, components.size() + 1), ' ');
+      components.resize(width, ' ');
       text += name + components + color_text(model, out, row.odd) + "\n";
       if (options.json) models[std::string(model.name)] = color_json(model, out);
     }

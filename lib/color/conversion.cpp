@@ -92,7 +92,7 @@ ConversionStep step_down(const ColorModel& model, const ModelContext& context) {
 
 ColorConversion::ColorConversion(const ModelReference& from, const ModelReference& to,
                                  Adaptation adaptation)
-    : from_(from.model), to_reference_(to) {
+    : from_(from.model), to_reference_(to), adaptation_(adaptation) {
   Side source = side_of(from, to);
   Side target = side_of(to, from);
   source.context.white = source.white.value_or(target.white.value_or(kD65));
@@ -121,16 +121,30 @@ Components ColorConversion::operator()(const Components& c) const {
   return color;
 }
 
+std::string ColorConversion::explain_whites() const {
+  std::string text =
+      "white " + detail::white_text(from_white_) + " to " + detail::white_text(to_white_) + ": ";
+  for (const AdaptationMethod& known : kAdaptations) {
+    if (known.method == adaptation_) {
+      text += std::string(known.name) + " " + std::string(known.source);
+    }
+  }
+  return text;
+}
+
 std::vector<std::string> ColorConversion::explain() const {
   std::vector<std::string> lines;
   for (const ConversionStep& step : steps_) {
-    const bool adapts = step.from == step.to && step.from->base.empty();
-    std::string line =
-        adapts ? "white " + detail::white_text(from_white_) + " to " + detail::white_text(to_white_)
-               : std::string(step.from->name) + " to " + std::string(step.to->name);
-    line += ": " + std::string(step.formula) + " " + std::string(step.source);
+    const bool up = base_of(*step.from) == step.to;
+    const bool down = base_of(*step.to) == step.from;
+    const bool between_whites = !up && !down && from_white_ != to_white_;
+    const bool adapts = between_whites && step.from == step.to && step.from->base.empty();
+    std::string line = std::string(step.from->name) + " to " + std::string(step.to->name) + ": " +
+                       std::string(step.formula) + " " + std::string(step.source);
+    if (adapts) line = explain_whites();
     if (step.has_matrix) line += "; matrix " + detail::matrix_text(step.context.matrix);
-    const ColorModel& model = base_of(*step.to) == step.from ? *step.to : *step.from;
+    if (between_whites && !adapts) line += "; in it " + explain_whites();
+    const ColorModel& model = down ? *step.to : *step.from;
     if (model.numbers != nullptr) line += "; " + model.numbers(step.context);
     lines.push_back(std::move(line));
   }

@@ -10,6 +10,9 @@
 namespace tristim {
 namespace {
 
+constexpr std::string_view kNumbersHint =
+    "give x,y of red, green, blue and the white, or of the three and Yr,Yg,Yb";
+
 struct Name {
   std::string_view name;
 };
@@ -71,7 +74,7 @@ std::optional<std::vector<double>> numbers_of(std::string_view text) {
 Primaries primaries_of(const std::vector<double>& n, std::string_view thing) {
   if (n.size() != 8 && n.size() != 9) {
     refuse(thing, std::to_string(n.size()) + " numbers are no primaries",
-           "give x,y of red, green, blue and the white, or of the three and Yr,Yg,Yb");
+           std::string(kNumbersHint));
   }
   try {
     Primaries primaries{{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}, {n[6], n[7]}};
@@ -112,6 +115,9 @@ void read_primaries(ModelReference& reference, std::string_view text, std::strin
     reference.curve = RgbCurve{};
   } else {
     const NamedPrimaries* known = find_by_name(primaries_list(), set);
+    if (known == nullptr && set.find(',') != std::string_view::npos) {
+      refuse(thing, quoted(set) + " are no numbers", std::string(kNumbersHint));
+    }
     if (known == nullptr) {
       refuse(thing, "unknown primaries " + quoted(set), name_hint(primaries_list(), set));
     }
@@ -148,6 +154,7 @@ void read_detail(ModelReference& reference, std::string_view text, std::string_v
                  std::string_view thing) {
   if (text.find('=') != std::string_view::npos) return read_parameter(reference, text, thing);
   if (takes_primaries(*reference.model) && !reference.primaries) {
+    // What is no set but near a variant is a slip in the variant.
     const std::vector<Name> choices = variants(family_name);
     const bool variant_meant = name_hint(choices, text).starts_with("did you mean") &&
                                !name_hint(primaries_list(), text).starts_with("did you mean") &&

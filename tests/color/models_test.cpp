@@ -6,9 +6,11 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "tests/error_text.h"
 #include "tristim/color/lab.h"
+#include "tristim/core/error.h"
 #include "tristim/core/find.h"
 
 namespace tristim {
@@ -214,6 +216,7 @@ TEST(ColorConversion, ExplainsItsSteps) {
                            "srgb: E = 12.92 L"))
       << lines[0];
   EXPECT_TRUE(lines[1].starts_with("linear to lab: ")) << lines[1];
+  EXPECT_NE(lines[1].find("; in it white d65 to d50: bradford [Lam85]"), std::string::npos);
   const std::vector<std::string> white =
       ColorConversion(parse_model("lab@d65", ""), parse_model("xyz@d50", ""), Adaptation::kBradford)
           .explain();
@@ -259,6 +262,7 @@ TEST(ParseModel, NamesWhatItDoesNotKnow) {
   EXPECT_EQ(text("rgb:1,2,3"),
             "2 --from: 3 numbers are no primaries; give x,y of red, green, blue and the white, or "
             "of the three and Yr,Yg,Yb");
+  EXPECT_EQ(text("rgb:a,b").substr(0, 40), "2 --from: 'a,b' are no numbers; give x,y");
   EXPECT_EQ(text("rgb:0.1,0.1,0.2,0.2,0.3,0.3,0.3,0.3").substr(0, 60),
             "2 --from: primaries: the three chromaticities lie on a line;");
   EXPECT_EQ(text("cmyk:grc=1"), "2 --from: unknown parameter 'grc'; use one of: gcr, limit");
@@ -267,6 +271,22 @@ TEST(ParseModel, NamesWhatItDoesNotKnow) {
   EXPECT_NE(text("rgb:"), "");
   EXPECT_NE(text("rgb:srgb:srgb"), "");
   EXPECT_NE(text(""), "");
+}
+
+// Pieces of names, marks and numbers in any order: a model, or an error of one line.
+RC_GTEST_PROP(ParseModel, TakesHostileText, ()) {
+  const auto pieces = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
+      "rgb", "yiq", "cmyk", "lab", "ictcp", ":", ":", "@", "/", "=", ",", "srgb", "fcc1953", "pq",
+      "gcr", "limit", "0.3", "1e999", "nan", "-", "\n", "d50", "gamma", "563/256", " "));
+  std::string text;
+  for (const std::string& piece : pieces) text += piece;
+  try {
+    RC_ASSERT(parse_model(text, "--from").model != nullptr);
+  } catch (const Error& error) {
+    const std::string line = error.what();
+    RC_ASSERT(line.starts_with("--from: "));
+    RC_ASSERT(line.find('\n') == std::string::npos);
+  }
 }
 
 TEST(ParseModel, FoldsNamesAndFixesWhites) {

@@ -55,8 +55,11 @@ class ColorConversion {
   std::vector<std::string> explain() const;
 
  private:
+  std::string explain_whites() const;
+
   const ColorModel* from_;
   ModelReference to_reference_;
+  Adaptation adaptation_;
   Chromaticity from_white_, to_white_;
   std::vector<ConversionStep> steps_;
 };
