@@ -26,6 +26,7 @@ constexpr SvgStroke kOppositeRay{"#111", 0.9, "4 3"};
 constexpr SvgStroke kLimit{"#333", 0.9, "7 2 1.5 2"};
 constexpr SvgStroke kEllipse{"#111", 0.9};
 constexpr double kMagnified = 10;
+constexpr std::size_t kMostRays = 24;  // colours: more are a cloud, without rays and names
 
 // Told apart by colour, and by their dashes where there is none.
 constexpr SvgStroke kGamutStrokes[] = {
@@ -128,6 +129,7 @@ void draw_colors(const DiagramCanvas& canvas, const ChromaticityDiagram& diagram
     canvas.svg.circle(place, kDot,
                       {.fill = detail::display_color(color.chromaticity), .stroke = {"#111", 1}});
   }
+  if (diagram.colors.size() > kMostRays) return;
   for (const DiagramColor& color : diagram.colors) {
     canvas.labels.place_beside(canvas.at(color.chromaticity), kDot + 4, color.name,
                                {.size = 11, .bold = true, .halo = "#fff"}, true);
@@ -161,8 +163,20 @@ struct Legend {
   }
 };
 
+void add_colors(Legend& legend, const ChromaticityDiagram& diagram) {
+  if (diagram.colors.empty()) return;
+  if (diagram.colors.size() > kMostRays) {
+    return legend.add(std::to_string(diagram.colors.size()) + " colours", {}, "#bbb");
+  }
+  for (const DiagramColor& color : diagram.colors) {
+    legend.add(wavelength_text(color, diagram.white.chromaticity), {},
+               detail::display_color(color.chromaticity));
+  }
+  legend.add("to the dominant wavelength", kRay);
+  legend.add("to the complementary wavelength", kOppositeRay);
+}
+
 Legend legend_of(const ChromaticityDiagram& diagram) {
-  constexpr std::size_t kMostColors = 16;
   Legend legend;
   for (std::size_t i = 0; i < diagram.gamuts.size(); ++i) {
     legend.add(diagram.gamuts[i].name, gamut_stroke(i));
@@ -174,15 +188,7 @@ Legend legend_of(const ChromaticityDiagram& diagram) {
   if (!diagram.limits.empty()) legend.add("MacAdam limits of Y, illuminant C", kLimit);
   if (diagram.ellipses) legend.add("MacAdam ellipses, 10 times", kEllipse);
   legend.add("white, " + diagram.white.name, {}, "#fff");
-  for (std::size_t i = 0; i < std::min(diagram.colors.size(), kMostColors); ++i) {
-    legend.add(wavelength_text(diagram.colors[i], diagram.white.chromaticity), {},
-               detail::display_color(diagram.colors[i].chromaticity));
-  }
-  if (diagram.colors.size() > kMostColors) {
-    legend.add("and " + std::to_string(diagram.colors.size() - kMostColors) + " more", {});
-  }
-  if (!diagram.colors.empty()) legend.add("to the dominant wavelength", kRay);
-  if (!diagram.colors.empty()) legend.add("to the complementary wavelength", kOppositeRay);
+  add_colors(legend, diagram);
   return legend;
 }
 
@@ -196,8 +202,10 @@ void draw_parts(const DiagramCanvas& canvas, const ChromaticityDiagram& diagram)
   if (diagram.ellipses) draw_ellipses(canvas);
   draw_gamuts(canvas, diagram);
   canvas.labels.occupy(canvas.at(diagram.white.chromaticity), 5);
-  for (const DiagramColor& color : diagram.colors) {
-    draw_rays(canvas, color.chromaticity, diagram.white.chromaticity);
+  if (diagram.colors.size() <= kMostRays) {
+    for (const DiagramColor& color : diagram.colors) {
+      draw_rays(canvas, color.chromaticity, diagram.white.chromaticity);
+    }
   }
   detail::draw_locus(canvas);
   if (diagram.temperatures) detail::draw_temperatures(canvas);

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -92,6 +93,48 @@ TEST(OptimalColors, IncludeSpectralLights) {
     EXPECT_GE(limit, colour.luminance * (1 - 1e-6)) << kSum5nm.lambda_nm(i);
     if (kSum5nm.lambda_nm(i) == 520) {  // where the locus bends most: no other bands mix it
       EXPECT_NEAR(limit, colour.luminance, 1e-12);
+    }
+  }
+}
+
+// By the definition, without the search: the nearest of all planes through a pair of bands.
+double lowest_of_all_faces(const std::vector<Eigen::Vector3d>& bands, Chromaticity c) {
+  const Eigen::Vector3d direction(c.x, c.y, 1 - c.x - c.y);
+  double lowest = 1e9;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    for (std::size_t j = 0; j < bands.size(); ++j) {
+      const Eigen::Vector3d normal = bands[i].cross(bands[j]);
+      const double towards = normal.dot(direction);
+      if (!(towards > 0)) continue;
+      double distance = 0;
+      for (std::size_t k = 0; k < bands.size(); ++k) {
+        if (k != i && k != j) distance += std::max(normal.dot(bands[k]), 0.0);
+      }
+      lowest = std::min(lowest, distance / towards);
+    }
+  }
+  return lowest * c.y;
+}
+
+TEST(OptimalColors, AreTheNearestOfAllFaces) {
+  std::vector<Eigen::Vector3d> bands;
+  const std::vector<double> power =
+      sampled(illuminant_spectrum(*find_by_name(illuminants(), "c")), kSum5nm);
+  Eigen::Vector3d white = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < power.size(); ++i) {
+    const Xyz match = matching_functions(observers().front(), kSum5nm.lambda_nm(i));
+    bands.emplace_back(power[i] * match.x, power[i] * match.y, power[i] * match.z);
+    white += bands.back();
+  }
+  for (Eigen::Vector3d& band : bands) band /= white.y();
+  const Chromaticity centre = under("c").white();
+  for (int nm = 430; nm <= 650; nm += 20) {  // towards each wavelength, from the white to the rim
+    const Xyz match = matching_functions(observers().front(), nm);
+    const Xyy rim = xyz_to_xyy(match);
+    for (const double part : {0.001, 0.03, 0.3, 0.7, 0.97, 0.9999}) {
+      const Chromaticity c{centre.x + part * (rim.x - centre.x),
+                           centre.y + part * (rim.y - centre.y)};
+      EXPECT_NEAR(under("c").limit(c), lowest_of_all_faces(bands, c), 1e-11) << nm << " " << part;
     }
   }
 }

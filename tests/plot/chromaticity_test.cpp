@@ -100,6 +100,17 @@ TEST(ChromaticityDiagram, LeavesOutWhatHasNoChromaticity) {
   EXPECT_EQ(svg, chromaticity_diagram({}));
 }
 
+TEST(ChromaticityDiagram, ShowsManyColorsAsDots) {
+  std::vector<DiagramColor> colors;
+  for (int i = 0; i < 100; ++i) {
+    colors.push_back({"c" + std::to_string(i), {0.2 + i * 0.003, 0.4 - i * 0.001}});
+  }
+  const std::string svg = chromaticity_diagram(with_colors(colors));
+  EXPECT_EQ(count_of(svg, ">100 colours<"), 1U);
+  EXPECT_EQ(count_of(svg, ">c7<"), 0U);
+  EXPECT_GE(count_of(svg, "<circle"), 200U);  // each on a white one
+}
+
 TEST(ChromaticityDiagram, PutsALongLegendBesideTheFrame) {
   ChromaticityDiagram diagram;
   for (const NamedPrimaries& set : primaries_list()) {

@@ -25,7 +25,7 @@ struct ChromaticityDiagram {
   const ChromaticityPlane* plane = &kCie1931Plane;
   DiagramColor white{"D65", kD65};  ///< from which the dominant wavelengths are seen
   std::vector<DiagramGamut> gamuts;
-  std::vector<DiagramColor> colors;  ///< with rays to their dominant wavelengths
+  std::vector<DiagramColor> colors;  ///< with rays to their dominant wavelengths; dots if over 24
   std::vector<double> limits;        ///< luminance factors of MacAdam limits, under illuminant C
   bool temperatures = true;          ///< the Planckian and the daylight locus
   bool ellipses = false;             ///< MacAdam's of 1942, ten times their size
