@@ -29,6 +29,10 @@ constexpr std::string_view kExamples =
     "  tristim convert --to wavelength@d65 tomato navy\n"
     "  tristim spectrum f11 | tristim convert --from spectrum --to cct\n"
     "  tristim convert --from spectrum leaf.csv --to lab --illuminant d65 --observer 10\n"
+    "  tristim convert --to munsell-notation '#ff8000'\n"
+    "  tristim convert --from munsell --to rgb '7.5YR 5/12'\n"
+    "  tristim convert --from cns --to rgb 'light vivid purplish red'\n"
+    "  tristim convert --to iscc-nbs tomato\n"
     "  tristim convert --to all tomato\n"
     "  tristim convert tomato teal gold --diagram colours.svg --gamuts bt2020\n"
     "  tristim convert --list\n";

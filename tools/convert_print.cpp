@@ -7,6 +7,7 @@
 
 #include "tools/cli.h"
 #include "tools/report.h"
+#include "tristim/core/error.h"
 #include "tristim/core/text.h"
 
 namespace tristim::tools {
@@ -37,10 +38,30 @@ struct Station {
   Components values;
 };
 
+bool has_nan(const Components& c) {
+  return std::any_of(c.begin(), c.end(), [](double x) { return std::isnan(x); });
+}
+
+// Where a colour that is one has no value in the next model, says why.
+void refuse_none(const ConversionStep& step, const Components& before, const Components& after) {
+  const bool up = base_of(*step.from) == step.to;
+  const auto why = up ? step.from->why_none_to_base : step.to->why_none_from_base;
+  for (std::size_t i = 0; i < component_count(*step.to); ++i) {
+    if (!std::isnan(after[i])) return;
+  }
+  if (why == nullptr) return;
+  throw Error(ErrorKind::kContent,
+              std::string(step.from->name) + " " + color_text(*step.from, before, false),
+              why(before));
+}
+
 std::vector<Station> way_of(const Components& color, const ColorConversion& conversion) {
   std::vector<Station> way{{&conversion.from(), color}};
   for (const ConversionStep& step : conversion.steps()) {
-    way.push_back({step.to, step.apply(way.back().values, step.context)});
+    const Components& before = way.back().values;
+    const Components after = step.apply(before, step.context);
+    if (!has_nan(color)) refuse_none(step, before, after);
+    way.push_back({step.to, after});
   }
   return way;
 }
@@ -122,7 +143,7 @@ void print_all_models(std::span<const ColorRow> rows, const ModelReference& from
       const ColorModel& model = conversion.to();
       const Components out = conversion(row.values);
       std::string name(model.name);
-      name.resize(20, ' ');
+      name.resize(30, ' ');
       std::string components(model.components);
       components.resize(width, ' ');
       text += name + components + color_text(model, out, row.odd) + "\n";

@@ -29,6 +29,12 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+  return all;
+}
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_separator(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_separator(text.back())) text.remove_suffix(1);
@@ -82,8 +88,19 @@ class ColorReader {
            std::string(model_.model->name);
   }
 
+  /// Whether colours of the model are words, not numbers.
+  bool is_of_words() const { return model_.model->to_text != nullptr; }
+
+  [[noreturn]] void refuse_text(const std::string& place, const std::string& text) const {
+    const auto hint = model_.model->text_hint;
+    throw Error(ErrorKind::kContent, place,
+                "'" + text + "' is no colour of " + std::string(model_.model->name),
+                hint != nullptr ? hint(text) : expected());
+  }
+
   [[noreturn]] void refuse_word(const std::string& place, const std::string& word,
                                 bool begins_color) const {
+    if (model_.model->text_hint != nullptr && begins_color) refuse_text(place, word);
     if (!begins_color || parse_color(word)) {
       throw Error(ErrorKind::kContent, place, "'" + word + "' is no number", expected());
     }
@@ -116,6 +133,7 @@ std::vector<ColorRow> read_color_arguments(const std::vector<std::string>& argum
   std::vector<ColorRow> rows;
   ColorRow row;
   std::size_t count = 0;
+  if (const auto all = reader.whole(joined(arguments))) return {*all};  // 5R 4/14, without quotes
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string place = "value " + std::to_string(i + 1);
     const auto argument = count == 0 ? reader.whole(arguments[i]) : std::nullopt;
@@ -123,6 +141,7 @@ std::vector<ColorRow> read_color_arguments(const std::vector<std::string>& argum
       rows.push_back(*argument);
       continue;
     }
+    if (reader.is_of_words()) reader.refuse_text(place, arguments[i]);
     for (const std::string& word : words_of(arguments[i])) {
       const auto color = count == 0 ? reader.whole(word) : std::nullopt;
       const auto number = color ? std::nullopt : ColorReader::component(word, row);
@@ -152,6 +171,7 @@ std::vector<ColorRow> read_color_rows(std::string_view text, const std::string& 
       rows.push_back(*whole);
       continue;
     }
+    if (reader.is_of_words()) reader.refuse_text(place, std::string(content));
     const std::vector<std::string> words = words_of(content);
     ColorRow row;
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -40,7 +40,12 @@ Components interpolate(const ColorModel& model, const Components& first, const C
   Components mixed{};
   for (std::size_t i = 0; i < component_count(model); ++i) {
     const bool hue = static_cast<int>(i) == model.hue;
-    mixed[i] = hue ? mix_hues(first[i], last[i], t, arc) : mix(first[i], last[i], t);
+    if (!hue) {
+      mixed[i] = mix(first[i], last[i], t);
+      continue;
+    }
+    const double degrees = 360 / model.hue_turn;
+    mixed[i] = mix_hues(first[i] * degrees, last[i] * degrees, t, arc) / degrees;
   }
   return mixed;
 }

@@ -5,11 +5,16 @@
 #include "lib/color/edges.h"
 #include "lib/color/light_edges.h"
 #include "lib/color/matrix_text.h"
+#include "lib/color/name_edges.h"
 #include "tristim/color/cmyk.h"
+#include "tristim/color/cns.h"
 #include "tristim/color/hsv.h"
 #include "tristim/color/ictcp.h"
 #include "tristim/color/lch.h"
+#include "tristim/color/munsell.h"
+#include "tristim/color/munsell_value.h"
 #include "tristim/color/oklab.h"
+#include "tristim/color/parse.h"
 #include "tristim/color/planckian.h"
 #include "tristim/color/uv.h"
 #include "tristim/color/yiq.h"
@@ -99,6 +104,29 @@ constexpr ModelParameter kRadiation[] = {
 
 std::string radiation_numbers(const ModelContext& context) {
   return "c2 = " + shortest(context.parameters[0]) + " m K";
+}
+
+Components same_edge(const Components& c, const ModelContext& /*context*/) { return c; }
+
+template <typename Color>
+std::string why_no_munsell(const Components& c) {
+  return munsell_refusal(detail::color_of<Color>(c));
+}
+
+template <std::size_t function>
+Components to_munsell_value(const Components& c, const ModelContext& /*context*/) {
+  return {kMunsellValueFunctions[function].value_from_luminance(c[1])};
+}
+
+template <std::size_t function>
+constexpr ColorModel munsell_value_model(std::string_view name) {
+  return {.name = name,
+          .components = "V",
+          .ranges = "0..10",
+          .base = "xyz",
+          .from_base = to_munsell_value<function>,
+          .formula = kMunsellValueFunctions[function].formula,
+          .source = kMunsellValueFunctions[function].source};
 }
 
 constexpr ColorModel kModels[] = {
@@ -337,6 +365,79 @@ constexpr ColorModel kModels[] = {
      .formula = "cone responses by HLG between two matrices of 4096ths",
      .source = "[BT2100 table 7]",
      .fixed_primaries = "bt2020"},
+    {.name = "munsell",
+     .components = "H V C",
+     .ranges = "hue 0..100 (5R is 5, 10RP is 100), none for neutrals; V 0..10; C 0..50; reads "
+               "'7.5YR 5/12' as well",
+     .base = "xyy",
+     .to_base = edge<munsell_to_xyy>,
+     .from_base = edge<xyy_to_munsell>,
+     .formula = "V by Y = 1.1914 V - .22533 V^2 + .23352 V^3 - .020484 V^4 + .00081939 V^5 percent "
+                "[ASTMD1535]; x and y of the renotation, linear in chroma, linear or radial in hue "
+                "as charted, linear in Y from value to value [Centore12]",
+     .source = "[Newhall43], [Judd56]",
+     .hue = 0,
+     .hue_turn = 100,
+     .fixed_white = "c",
+     .from_text = detail::munsell_from_text,
+     .text_hint = munsell_hint,
+     .why_none_to_base = why_no_munsell<Munsell>,
+     .why_none_from_base = why_no_munsell<Xyy>},
+    {.name = "munsell-notation",
+     .components = "notation",
+     .ranges = "7.5YR 5/12, N 5/",
+     .base = "munsell",
+     .to_base = same_edge,
+     .from_base = same_edge,
+     .formula = "hue in its family, value/chroma",
+     .source = "[ASTMD1535]",
+     .to_text = detail::munsell_to_text,
+     .from_text = detail::munsell_from_text,
+     .text_hint = munsell_hint},
+    {.name = "iscc-nbs",
+     .components = "name",
+     .ranges = "267 names: strong greenish blue",
+     .base = "munsell",
+     .to_base = detail::iscc_nbs_to_munsell,
+     .from_base = detail::munsell_to_iscc_nbs,
+     .formula = "932 boxes of hue, value, chroma, begin <= number < end; a name's central colour "
+                "[Kelly58]",
+     .source = "[Kelly76]",
+     .to_text = detail::iscc_nbs_to_text,
+     .from_text = detail::iscc_nbs_from_text,
+     .text_hint = detail::iscc_nbs_hint},
+    {.name = "cns",
+     .components = "name",
+     .ranges = "627 names: light vivid purplish red",
+     .base = "munsell",
+     .to_base = detail::cns_to_munsell,
+     .from_base = detail::munsell_to_cns,
+     .formula =
+         "steps of value, of chroma relative to what sRGB can show, of hue between red 7.5R, "
+         "orange 5YR, yellow 10Y, green 10GY, blue 7.5PB, purple 7.5P; docs/color-names.md",
+     .source = "[Berk82]",
+     .to_text = detail::cns_to_text,
+     .from_text = detail::cns_from_text,
+     .text_hint = cns_hint},
+    {.name = "css",
+     .components = "name",
+     .ranges = "148 names: rebeccapurple",
+     .base = "rgb",
+     .to_base = detail::css_to_rgb,
+     .from_base = detail::rgb_to_css,
+     .formula = "the nearest in Oklab",
+     .source = "[CSS4 6.1]",
+     .fixed_primaries = "srgb",
+     .to_text = detail::css_to_text,
+     .from_text = detail::css_from_text,
+     .text_hint = color_hint},
+    munsell_value_model<0>("munsell-value:astm-d1535"),
+    munsell_value_model<1>("munsell-value:priest1920"),
+    munsell_value_model<2>("munsell-value:munsell1933"),
+    munsell_value_model<3>("munsell-value:moon1943"),
+    munsell_value_model<4>("munsell-value:saunderson1944"),
+    munsell_value_model<5>("munsell-value:ladd1955"),
+    munsell_value_model<6>("munsell-value:mccamy1987"),
 };
 
 // Whether `holds` for the model or one that it comes from.

@@ -50,12 +50,15 @@ std::optional<EncodedRgb> parse_triple(std::string_view text) {
 
 }  // namespace
 
+std::span<const NamedColor> css_colors() noexcept { return kCssColors; }
+
+EncodedRgb encoded_rgb(const NamedColor& color) noexcept {
+  return {(color.rgb >> 16) / 255.0, (color.rgb >> 8 & 0xff) / 255.0, (color.rgb & 0xff) / 255.0};
+}
+
 std::optional<EncodedRgb> parse_color(std::string_view text) {
   if (text.starts_with('#')) return parse_hex(text.substr(1));
-  if (const NamedColor* named = find_by_name(kCssColors, text)) {
-    return EncodedRgb{(named->rgb >> 16) / 255.0, (named->rgb >> 8 & 0xff) / 255.0,
-                      (named->rgb & 0xff) / 255.0};
-  }
+  if (const NamedColor* named = find_by_name(kCssColors, text)) return encoded_rgb(*named);
   return parse_triple(text);
 }
 

@@ -30,9 +30,9 @@ inline constexpr NamedHueArc kHueArcs[] = {
 /// The colour `t` of the way from `first` to `last`, both of `model`, whose components are mixed in
 /// proportion; t beyond 0 and 1 goes on in the same direction.
 ///
-/// A hue goes round by `arc` and comes out in [0, 360); where one end has none it takes the
-/// other's, before the arc is chosen. At t = 0 and 1 the other components are exactly those of the
-/// ends.
+/// A hue goes round by `arc` and comes out in [0, 360), [0, 100) of Munsell; where one end has none
+/// it takes the other's, before the arc is chosen. At t = 0 and 1 the other components are exactly
+/// those of the ends.
 Components interpolate(const ColorModel& model, const Components& first, const Components& last,
                        double t, HueArc arc = HueArc::kShorter) noexcept;
 

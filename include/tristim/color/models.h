@@ -54,7 +54,8 @@ struct ColorModel {
   std::string_view source;
   std::string_view alias = {};  // another name that it goes by
 
-  int hue = -1;  // which component is a hue in degrees, undefined for greys; -1: none
+  int hue = -1;           // which component is a hue, undefined for greys; -1: none
+  double hue_turn = 360;  // what a whole turn of it counts
 
   // What its edges read of the context. Their base's edges read more.
   bool reads_primaries = false;
@@ -66,10 +67,16 @@ struct ColorModel {
   // The numbers behind the formula, for explanations; nullptr: none but the matrix.
   std::string (*numbers)(const ModelContext& context) = nullptr;
 
-  // Of models whose colours are words, such as names: then the first component is a number that
-  // only these two know. Nothing where the text is no colour of the model.
+  // Of models whose colours are words, such as names: then the components are numbers that only
+  // these know. A model of numbers may read words as well, with from_text alone. Nothing where the
+  // text is no colour of the model.
   std::string (*to_text)(const Components& c) = nullptr;
   std::optional<Components> (*from_text)(std::string_view text) = nullptr;
+  std::string (*text_hint)(std::string_view text) = nullptr;  // what to do about such a text
+
+  // Why an edge has no value, all NaN, for a colour without NaN; nullptr where that cannot be.
+  std::string (*why_none_to_base)(const Components& c) = nullptr;
+  std::string (*why_none_from_base)(const Components& c) = nullptr;
 };
 
 /// Every model, bases first. The command line, the docs and the property tests read this list.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,11 @@ struct NamedColor {
   std::string_view name;
   int rgb;  // 0xrrggbb
 };
+
+/// Every CSS colour name, in the order of the alphabet.
+std::span<const NamedColor> css_colors() noexcept;
+
+EncodedRgb encoded_rgb(const NamedColor& color) noexcept;
 
 /// A colour from text: "#rgb", "#rrggbb", a CSS name, or three numbers of encoded sRGB in [0, 1]
 /// separated by commas or spaces. Nothing where it is none.
