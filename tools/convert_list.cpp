@@ -2,7 +2,10 @@
 
 #include "tools/cli.h"
 #include "tools/report.h"
+#include "tristim/color/illuminant.h"
 #include "tristim/color/models.h"
+#include "tristim/color/observer.h"
+#include "tristim/color/spectrum_text.h"
 #include "tristim/core/text.h"
 
 namespace tristim::tools {
@@ -57,6 +60,10 @@ std::string models_text() {
   return text + "  The first of several variants, as of yiq, is meant where none is named.\n";
 }
 
+std::string seen_by(const Observer& observer) {
+  return std::string(observer.table->title) + "  " + std::string(observer.table->source);
+}
+
 std::string context_text() {
   std::string text = "\nSET: red, green, blue, white; curve; source\n";
   for (const NamedPrimaries& set : primaries_list()) {
@@ -80,6 +87,17 @@ std::string context_text() {
   }
   text += row("gammaN", "", "E = L^(1/N); N as 2.2 or 563/256") + "\n--adapt: source\n";
   for (const AdaptationMethod& method : kAdaptations) text += row(method.name, "", method.source);
+  text += "\n--from spectrum FILE: how light is seen\n--observer: functions, source\n";
+  for (const Observer& o : observers()) {
+    text += row(std::string(o.name) + ", " + std::string(o.field_deg), "", seen_by(o));
+  }
+  text += "--illuminant: what it is, source\n";
+  for (const Illuminant& light : illuminants()) {
+    text += row(light.name, "", std::string(light.title) + "  " + std::string(light.table->source));
+  }
+  for (const ThermalLight& light : thermal_lights()) {
+    text += row(std::string(light.name) + ":KELVINS", "", light.title);
+  }
   return text;
 }
 
@@ -105,6 +123,15 @@ Json models_json() {
                       {"source", model.source}});
   }
   return models;
+}
+
+Json illuminants_json() {
+  Json lights = Json::array();
+  for (const Illuminant& light : illuminants()) {
+    lights.push_back(
+        {{"name", light.name}, {"title", light.title}, {"source", light.table->source}});
+  }
+  return lights;
 }
 
 Json lists_json() {
@@ -135,11 +162,9 @@ Json lists_json() {
   for (const AdaptationMethod& method : kAdaptations) {
     adaptations.push_back({{"name", method.name}, {"source", method.source}});
   }
-  return {{"models", models_json()},
-          {"primaries", sets},
-          {"whites", whites},
-          {"curves", curves},
-          {"adaptations", adaptations}};
+  return {{"models", models_json()},    {"primaries", sets},
+          {"whites", whites},           {"curves", curves},
+          {"adaptations", adaptations}, {"illuminants", illuminants_json()}};
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct SpectrumSettings {
 void declare_spectrum_options(CommandLine& line, SpectrumSettings& settings);
 
 /// Spectra as colours.
-struct SpectrumColors {
+struct SpectrumColors {          // NOLINT(bugprone-exception-escape): JSON moves without
   std::vector<ColorRow> rows;    // X Y Z
   ModelReference model;          // xyz, with the white of the illuminant
   std::string explanation;       // the step from spectrum to XYZ in words

@@ -24,11 +24,11 @@ Xyz scaled(Xyz xyz, double k) { return {xyz.x * k, xyz.y * k, xyz.z * k}; }
 }  // namespace
 
 std::span<const Observer> observers() noexcept {
-  static const Observer kObservers[] = {
+  static const Observer list[] = {
       {"cie1931", "2", find_by_name(spectral_tables(), "cie1931")},
       {"cie1964", "10", find_by_name(spectral_tables(), "cie1964")},
   };
-  return kObservers;
+  return list;
 }
 
 const Observer* find_observer(std::string_view text) noexcept {

@@ -137,6 +137,15 @@ TEST_F(ConvertSpectrum, RefusesBadOptions) {
           "--white-luminance go with --from spectrum");
 }
 
+TEST_F(ConvertSpectrum, ListsIlluminantsAndObservers) {
+  const std::string text = good("convert --list");
+  for (const Illuminant& light : illuminants()) {
+    EXPECT_NE(text.find("\n  " + std::string(light.name) + " "), std::string::npos) << light.name;
+  }
+  EXPECT_NE(text.find("cie1964, 10"), std::string::npos);
+  EXPECT_EQ(parsed(good("convert --list --json"))["illuminants"].size(), illuminants().size());
+}
+
 TEST_F(ConvertSpectrum, TakesAnIlluminantOfAFile) {
   write("grey.csv", "300,0.5\n900,0.5\n");
   write("lamp.csv", good("spectrum f11"));
