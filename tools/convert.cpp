@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "tools/commands.h"
 #include "tools/convert_list.h"
@@ -45,6 +46,7 @@ struct Options {
   std::string mix;
   HueArc arc = HueArc::kShorter;
   int steps = 5;
+  std::optional<double> at;  // one colour at this point instead of `steps`
   SpectrumSettings spectrum;
   DiagramOptions diagram;
   bool list = false, force = false;
@@ -88,6 +90,8 @@ void declare(CommandLine& line, Options& options) {
   line.option(
       "--steps", "N", "colours from one to the other, both included; default: 5",
       [&](const std::string& v) { options.steps = integer_option("--steps", v, 2, 1 << 16); });
+  line.option("--at", "T", "only the colour there, from 0 (the first) to 1",
+              [&](const std::string& v) { options.at = number_option("--at", v, 0, 1); });
   declare_diagram(line, options.diagram);
 }
 
@@ -132,8 +136,8 @@ std::vector<ColorRow> mixed(const std::vector<ColorRow>& rows, const ColorConver
   for (std::size_t i = 0; i < rows.size(); i += 2) {
     const Components first = to_mix(rows[i].values);
     const Components last = to_mix(rows[i + 1].values);
-    for (int step = 0; step < options.steps; ++step) {
-      const double t = static_cast<double>(step) / (options.steps - 1);
+    for (int step = 0; step < (options.at ? 1 : options.steps); ++step) {
+      const double t = options.at.value_or(static_cast<double>(step) / (options.steps - 1));
       mixtures.push_back(
           {interpolate(to_mix.to(), first, last, t, options.arc), rows[i].odd || rows[i + 1].odd});
     }

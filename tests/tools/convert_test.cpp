@@ -129,6 +129,9 @@ TEST_F(Convert, MixesInAnyModel) {
   EXPECT_EQ(
       good("convert --from rgb:ntsc1953 --mix hsv --steps 2 --to rgb:ntsc1953 0.2 0.4 0.6 1 1 0"),
       "0.2 0.4 0.6\n1 1 0\n");
+  EXPECT_EQ(good("convert --mix hsv --at 0.25 --to hsv red lime"), "30 1 1\n");
+  refuses("convert --mix hsv --at 2 --to hsv red lime", 2,
+          "--at: '2' is out of range; give a number from 0 to 1");
   refuses("convert --mix hsv --to rgb red", 3,
           "--mix: 1 colours are no pairs; give two colours for each mixture");
   refuses("convert --mix hsv --arc long --to rgb red lime", 2,
