@@ -26,6 +26,7 @@ constexpr SvgStroke kOppositeRay{"#111", 0.9, "4 3"};
 constexpr SvgStroke kLimit{"#333", 0.9, "7 2 1.5 2"};
 constexpr SvgStroke kEllipse{"#111", 0.9};
 constexpr double kMagnified = 10;
+constexpr double kDot = 4.5;           // radius of a colour
 constexpr std::size_t kMostRays = 24;  // colours: more are a cloud, without rays and names
 
 // Told apart by colour, and by their dashes where there is none.
@@ -119,10 +120,6 @@ void draw_white(const DiagramCanvas& canvas, const DiagramColor& white) {
 }
 
 void draw_colors(const DiagramCanvas& canvas, const ChromaticityDiagram& diagram) {
-  constexpr double kDot = 4.5;
-  for (const DiagramColor& color : diagram.colors) {
-    canvas.labels.occupy(canvas.at(color.chromaticity), kDot);
-  }
   for (const DiagramColor& color : diagram.colors) {
     const SvgPoint place = canvas.at(color.chromaticity);
     canvas.svg.circle(place, kDot + 1, {.fill = "#fff"});
@@ -202,6 +199,9 @@ void draw_parts(const DiagramCanvas& canvas, const ChromaticityDiagram& diagram)
   if (diagram.ellipses) draw_ellipses(canvas);
   draw_gamuts(canvas, diagram);
   canvas.labels.occupy(canvas.at(diagram.white.chromaticity), 5);
+  for (const DiagramColor& color : diagram.colors) {
+    canvas.labels.occupy(canvas.at(color.chromaticity), kDot);
+  }
   if (diagram.colors.size() <= kMostRays) {
     for (const DiagramColor& color : diagram.colors) {
       draw_rays(canvas, color.chromaticity, diagram.white.chromaticity);
