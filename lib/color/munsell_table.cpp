@@ -140,7 +140,11 @@ void MunsellPlane::connect() {
         (node(spoke * (kMunsellColumns / kSpokes), 0) - munsell_center()).normalized();
   }
   for (auto& column : nodes_) {
-    for (Node& node : column) node.radius = (node.position - munsell_center()).norm();
+    for (Node& node : column) {
+      const Eigen::Vector2d offset = node.position - munsell_center();
+      node.radius = offset.norm();
+      node.direction = offset / node.radius;
+    }
   }
   nodes_[kMunsellColumns] = nodes_[0];
   rings_[kMunsellColumns] = rings_[0];
@@ -180,7 +184,7 @@ CurvePoint MunsellPlane::arc(int column, int ring, double u) const noexcept {
   const double radius_step = to.radius - from.radius;
   const double radius = from.radius + u * radius_step;
   const auto [c, s] = small_turn(u * from.turn);
-  const Eigen::Vector2d start = (from.position - munsell_center()) / from.radius;
+  const Eigen::Vector2d& start = from.direction;
   const Eigen::Vector2d direction(c * start.x() - s * start.y(), s * start.x() + c * start.y());
   const Eigen::Vector2d across(-direction.y(), direction.x());
   return {u == 0 ? from.position : munsell_center() + radius * direction,

@@ -57,6 +57,7 @@ class MunsellPlane {
  private:
   struct Node {
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
+    Eigen::Vector2d direction = Eigen::Vector2d::Zero();  // from illuminant C, of length 1
     double radius = 0, turn = 0;  // about illuminant C; the turn to the next column, in radians
     bool radial = false;          // whether the arc to the next column is drawn radially
   };

@@ -47,9 +47,9 @@ double munsell_value_from_luminance(double luminance) noexcept {
   if (!(luminance >= 0 && luminance <= 1 + kRounding)) return kNone;
   const double y = 100 * luminance;
   // The slope of the quintic is nowhere below 1.1, so Newton steps cannot run away; from these
-  // starts, less than .1 off, five leave no more than rounding.
-  double value = y < 2 ? y / (1.1914 - 0.1 * y) : ladd1955_value(luminance);
-  for (int step = 0; step < 5; ++step) value -= (percent(value) - y) / percent_slope(value);
+  // starts, less than .1 off, four leave no more than rounding.
+  double value = y < 1 ? y / (1.1914 - 0.1 * y) : ladd1955_value(luminance);
+  for (int step = 0; step < 4; ++step) value -= (percent(value) - y) / percent_slope(value);
   return std::clamp(value, 0.0, 10.0);
 }
 

@@ -53,7 +53,7 @@ TEST(MunsellValue, HasTheHistoricalFunctions) {
 TEST(MunsellValue, OfTheQuinticComesBack) {
   for (int i = 0; i <= 100000; ++i) {
     const double value = i / 10000.0;
-    // Largest error measured: 2.7e-15.
+    // Largest error measured: 3.6e-15.
     ASSERT_NEAR(munsell_value_from_luminance(luminance_from_munsell_value(value)), value, 1e-14);
   }
   for (double value = 1e-300; value < 1; value *= 10) {
