@@ -1,0 +1,53 @@
+#include "lib/color/row_kernels.h"
+
+#include <cstdlib>
+
+#include "lib/color/row_formulas-inl.h"
+#include "tristim/core/find.h"
+
+namespace tristim::detail {
+namespace {
+
+// Numbers one at a time: the definition of the rows.
+struct ScalarLanes {
+  using W = double;
+  static constexpr std::size_t count() noexcept { return 1; }
+  static double load(const double* from) noexcept { return *from; }
+  static void store(double x, double* to) noexcept { *to = x; }
+
+  static HWY_NAMESPACE::Three<double> load_pixels(const float* in) noexcept {
+    return {in[0], in[1], in[2]};
+  }
+  static void store_pixels(const HWY_NAMESPACE::Three<double>& c, float* out) noexcept {
+    out[0] = static_cast<float>(c.a);
+    out[1] = static_cast<float>(c.b);
+    out[2] = static_cast<float>(c.c);
+  }
+
+  static void load_block(const float* in, RowChannels channels, std::size_t count,
+                         RowBlock& block) {
+    load_pixels_of(in, channels, 0, count, block);
+  }
+  static void store_block(const RowBlock& block, RowChannels channels, std::size_t count,
+                          float* out) {
+    store_pixels_of(block, channels, 0, count, out);
+  }
+};
+
+}  // namespace
+
+const RowKernels& scalar_row_kernels() noexcept {
+  static const RowKernels kernels = HWY_NAMESPACE::all_kernels<ScalarLanes>("scalar");
+  return kernels;
+}
+
+const RowKernels& row_kernels() {
+  const std::span<const RowKernels> simd = simd_row_kernels();
+  if (const char* wanted = std::getenv("TRISTIM_SIMD")) {
+    if (same_name(wanted, "scalar")) return scalar_row_kernels();
+    if (const RowKernels* found = find_by_name(simd, wanted)) return *found;
+  }
+  return simd.empty() ? scalar_row_kernels() : simd.front();
+}
+
+}  // namespace tristim::detail
