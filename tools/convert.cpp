@@ -5,6 +5,7 @@
 
 #include "tools/commands.h"
 #include "tools/convert_list.h"
+#include "tools/convert_picture.h"
 #include "tools/convert_print.h"
 #include "tools/convert_rows.h"
 #include "tools/convert_spectrum.h"
@@ -34,15 +35,19 @@ constexpr std::string_view kExamples =
     "  tristim convert --from munsell --to rgb '7.5YR 5/12'\n"
     "  tristim convert --from cns --to rgb 'light vivid purplish red'\n"
     "  tristim convert --to iscc-nbs tomato\n"
+    "  tristim convert --from rgb:srgb --to hsv in.exr -o out.exr\n"
+    "  tristim convert --from linear:bt2020 --to rgb:bt2020/pq 0.01 0.02 0.005\n"
     "  tristim convert --to all tomato\n"
     "  tristim convert tomato teal gold --diagram colours.svg --gamuts bt2020\n"
     "  tristim convert --list\n";
 
 struct Options {
-  PrintOptions print{.from = "rgb:srgb", .to = {}};
+  PrintOptions print{.from = {}, .to = {}};
   Adaptation adaptation = Adaptation::kBradford;
   std::vector<std::string> words;
   std::string input;
+  std::string output;
+  bool keep_undefined = false, replace = false;
   std::string mix;
   HueArc arc = HueArc::kShorter;
   int steps = 5;
@@ -62,13 +67,20 @@ const auto& chosen(const List& list, std::string_view option, std::string_view w
               name_hint(list, name));
 }
 
+bool keeps_undefined(const std::string& text) {
+  if (text == "0" || same_name(text, "nan")) return text != "0";
+  throw Error(ErrorKind::kMisuse, "--undefined", "cannot be '" + text + "'", "give 0 or nan");
+}
+
 void declare(CommandLine& line, Options& options) {
   line.positional("VALUES...",
                   "colours: numbers, #rrggbb, CSS names; or one file of rows; without any: rows of "
                   "standard input, a colour each, comments from # on",
                   options.words, 0, 1 << 20);
-  line.option("--from", "MODEL", "default: rgb:srgb; spectrum reads files of spectra",
-              options.print.from);
+  line.option(
+      "--from", "MODEL",
+      "default: rgb:srgb, of a picture the light of the file; spectrum reads files of spectra",
+      options.print.from);
   line.option("--to", "MODEL", "such as lab, xyz@d50, linear:display-p3, or all; see --list",
               options.print.to);
   line.option("--input", "FILE", "rows of a file; - is standard input", options.input);
@@ -83,6 +95,16 @@ void declare(CommandLine& line, Options& options) {
             options.list);
   line.flag("--force", "replace an existing file", options.force);
   declare_spectrum_options(line, options.spectrum);
+  line.section("Pictures: each pixel is a colour of --from, as the file has it");
+  line.option(
+      "-o,--output", "OUT.exr",
+      "the picture IN in the model --to, floats in R G B order, alpha carried over; codes of "
+      "integer files count as 0..1",
+      options.output);
+  line.option("--undefined", "0|nan",
+              "for components without a value, as hues of greys; default: 0",
+              [&](const std::string& v) { options.keep_undefined = keeps_undefined(v); });
+  line.flag("-f,--force", "replace an existing file", options.replace);
   line.section("Mixing");
   line.option("--mix", "MODEL", "mix each pair of colours in this model", options.mix);
   line.option("--arc", list_names(kHueArcs, "|"), "which way round hues go; default: shorter",
@@ -143,6 +165,21 @@ std::vector<ColorRow> mixed(const std::vector<ColorRow>& rows, const ColorConver
     }
   }
   return mixtures;
+}
+
+PictureJob picture_job(const Options& options) {
+  if (options.words.size() != 1 || !options.mix.empty() || !options.input.empty()) {
+    throw Error(ErrorKind::kMisuse, "--output", "takes one picture to convert",
+                "give IN.exr -o OUT.exr, or leave out -o for colours");
+  }
+  return {.input = options.words[0],
+          .output = options.output,
+          .from = options.print.from,
+          .to = options.print.to,
+          .adaptation = options.adaptation,
+          .keep_undefined = options.keep_undefined,
+          .replace = options.replace,
+          .explain = options.print.explain};
 }
 
 // Colours and the model that they are in.
@@ -218,6 +255,8 @@ void run_convert(Arguments arguments) {
     throw Error(ErrorKind::kMisuse, "--to", "is missing",
                 "give a model such as lab or hsv; convert --list shows all");
   }
+  if (!options.output.empty()) return convert_picture(picture_job(options));
+  if (options.print.from.empty()) options.print.from = "rgb:srgb";
   convert(options);
 }
 

@@ -16,6 +16,7 @@
 #include "tristim/color/oklab.h"
 #include "tristim/color/parse.h"
 #include "tristim/color/planckian.h"
+#include "tristim/color/transfer.h"
 #include "tristim/color/uv.h"
 #include "tristim/color/yiq.h"
 #include "tristim/core/find.h"
@@ -80,6 +81,18 @@ Components from_ictcp_pq(const Components& c, const ModelContext& context) {
   const Rgb light = ictcp_pq_to_bt2020(detail::color_of<Ictcp>(c));
   return {light.r / white, light.g / white, light.b / white, 0};
 }
+constexpr ModelParameter kHlgWhite[] = {{"white", 1000, 1, 1e5, "cd/m2 of the display's white"}};
+
+Components to_hlg_display(const Components& c, const ModelContext& context) {
+  return detail::components_of(hlg_ootf(detail::color_of<Rgb>(c), context.parameters[0]));
+}
+Components from_hlg_display(const Components& c, const ModelContext& context) {
+  return detail::components_of(hlg_inverse_ootf(detail::color_of<Rgb>(c), context.parameters[0]));
+}
+std::string hlg_numbers(const ModelContext& context) {
+  return "white " + shortest(context.parameters[0]) + " cd/m2";
+}
+
 std::string pq_numbers(const ModelContext& context) {
   return "RGB 1 is " + shortest(context.parameters[0]) + " cd/m2";
 }
@@ -438,6 +451,19 @@ constexpr ColorModel kModels[] = {
     munsell_value_model<4>("munsell-value:saunderson1944"),
     munsell_value_model<5>("munsell-value:ladd1955"),
     munsell_value_model<6>("munsell-value:mccamy1987"),
+    {.name = "hlg-display",
+     .components = "R G B",
+     .ranges = "cd/m2, 0..white; linear BT.2020 RGB is light of the scene, 0..1",
+     .base = "linear",
+     .to_base = from_hlg_display,
+     .from_base = to_hlg_display,
+     .formula =
+         "the OOTF of HLG: Fd = white Ys^(gamma - 1) E, gamma = 1.2 + .42 log10(white/1000), "
+         "Ys = .2627 R + .6780 G + .0593 B",
+     .source = "[BT2100 table 5]",
+     .fixed_primaries = "bt2020",
+     .parameters = kHlgWhite,
+     .numbers = hlg_numbers},
 };
 
 // Whether `holds` for the model or one that it comes from.

@@ -43,6 +43,12 @@ RowParameters hlg() {
   return {a.hi, (1 - 4 * a).hi, (0.5 - a * log_precise(4 * a)).hi};
 }
 
+// [BT1886 annex 1], relative to the white.
+RowParameters monitor(double black) {
+  const double dark = pow(black, 1 / 2.4);
+  return {1 - dark, dark};
+}
+
 CurveKernels power(const K& kernels, const PowerCurve& curve) {
   return {kernels.power_encode, kernels.power_decode, curve.parameters()};
 }
@@ -87,6 +93,9 @@ constexpr NamedKernels kNamed[] = {
 
 std::optional<CurveKernels> curve_kernels(const RgbCurve& curve, const K& kernels) {
   if (curve.is_exponent()) return power(kernels, exponent(curve.gamma));
+  if (curve.function.name == "bt1886") {
+    return CurveKernels{kernels.bt1886_encode, kernels.bt1886_decode, monitor(curve.black)};
+  }
   for (const NamedKernels& named : kNamed) {
     if (named.name == curve.function.name) return named.kernels(kernels);
   }

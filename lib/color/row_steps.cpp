@@ -123,13 +123,19 @@ void rgb_to_rgb(Builder& rows, const ConversionStep& step) {
   rows.add_grey_matrix(step.context.matrix, kOnes);
 }
 
+bool is_identity(const RgbCurve& curve) {
+  return curve.function.name == "linear" || (curve.is_exponent() && curve.gamma == 1);
+}
+
 void decode(Builder& rows, const ConversionStep& step) {
+  if (is_identity(step.context.curve)) return;
   const auto curve = curve_kernels(step.context.curve, rows.kernels());
   if (curve) return rows.add(curve->decode, curve->parameters);
   rows.add_edge(step);
 }
 
 void encode(Builder& rows, const ConversionStep& step) {
+  if (is_identity(step.context.curve)) return;
   const auto curve = curve_kernels(step.context.curve, rows.kernels());
   if (curve) return rows.add(curve->encode, curve->parameters);
   rows.add_edge(step);

@@ -135,6 +135,9 @@ double bt1886_encode(double linear, double black) noexcept {
   return bt1886_encode(linear, 1, black);
 }
 
+double bt1886_decode(double encoded) noexcept { return bt1886_decode(encoded, 1, 0); }
+double bt1886_encode(double linear) noexcept { return bt1886_encode(linear, 1, 0); }
+
 double linear_curve(double light) noexcept { return light; }
 
 }  // namespace tristim

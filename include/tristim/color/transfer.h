@@ -56,6 +56,10 @@ double bt1886_encode(double linear, double white, double black) noexcept;
 double bt1886_decode(double encoded, double black) noexcept;
 double bt1886_encode(double linear, double black) noexcept;
 
+/// The same with a black of 0: max(V, 0)^2.4.
+double bt1886_decode(double encoded) noexcept;
+double bt1886_encode(double linear) noexcept;
+
 /// The luminance of code 1 of PQ, cd/m2.
 inline constexpr double kPqPeak = 10000;
 
@@ -118,6 +122,9 @@ inline constexpr TransferFunction kTransferFunctions[] = {
      "E = 4.5 L below beta, else alpha L^.45 - (alpha - 1); alpha = 1 + 5.5 beta = 1.0992968, "
      "5.5 beta - 10 beta^.55 + 1 = 0",
      "[BT2020 table 4]", "0..1, odd"},
+    {"bt1886", bt1886_encode, bt1886_decode,
+     "L = max((1 - r) V + r, 0)^2.4, r = black^(1/2.4), black over white 0 unless named",
+     "[BT1886 annex 1]", "0..1, below 0 as 0"},
     {"smpte240m", smpte240m_encode, smpte240m_decode,
      "E = 4 L below .0228, else 1.1115 L^.45 - .1115", "[SMPTE240]", "0..1, odd"},
     {"romm", romm_encode, romm_decode, "E = 16 L below 1/512, else L^(1/1.8)", "[ISO22028]",
