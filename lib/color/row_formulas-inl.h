@@ -24,6 +24,11 @@ namespace tristim::detail::HWY_NAMESPACE {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+template <typename T>
+struct Two {
+  T a, b;
+};
+
 template <typename W>
 struct Three {
   W a, b, c;
@@ -127,11 +132,6 @@ HWY_INLINE Hexagon<W> hexagon(Three<W> c) {
   return {select(red, c.b - c.c, select(green, c.c - c.a, c.a - c.b)),
           select(red, W(0.0), select(green, W(2.0), W(4.0))), select(nan, W(kNone), max), min};
 }
-
-template <typename W>
-struct Two {
-  W a, b;
-};
 
 // a/da and b/db with one division; what is divided by 0 comes out as any number.
 template <typename W>
@@ -508,16 +508,22 @@ void run_block(RowBlock& block, std::size_t count, const RowParameters& p) {
   }
 }
 
+// A formula, and what stands for NaN: 0 where the colour is finite, unless `undefined` is NaN.
+template <typename Formula, typename W>
+HWY_INLINE Three<W> defined(Three<W> c, const RowParameters& p, W undefined) {
+  const W sum = (c.a + c.b) + c.c;
+  const W none = (sum - sum) + undefined;
+  const Three<W> x = Formula::apply(c, p);
+  return {select(is_nan(x.a), none, x.a), select(is_nan(x.b), none, x.b),
+          select(is_nan(x.c), none, x.c)};
+}
+
+// Two vectors of doubles a time: they come out of whole vectors of floats.
 template <typename Formula, typename Lanes>
 HWY_INLINE void run_group(const float* in, float* out, const RowParameters& p,
                           typename Lanes::W undefined) {
-  using W = typename Lanes::W;
-  const Three<W> c = Lanes::load_pixels(in);
-  const W sum = (c.a + c.b) + c.c;
-  const W none = (sum - sum) + undefined;  // NaN where the colour is not finite
-  const Three<W> x = Formula::apply(c, p);
-  Lanes::store_pixels({select(is_nan(x.a), none, x.a), select(is_nan(x.b), none, x.b),
-                       select(is_nan(x.c), none, x.c)},
+  const auto c = Lanes::load_pixels(in);
+  Lanes::store_pixels({defined<Formula>(c.a, p, undefined), defined<Formula>(c.b, p, undefined)},
                       out);
 }
 
@@ -525,13 +531,13 @@ template <typename Formula, typename Lanes>
 void run_pixels(const float* in, float* out, std::size_t count, const RowParameters& p,
                 bool keep_undefined) {
   const typename Lanes::W undefined(keep_undefined ? kNone : 0);
-  const std::size_t step = Lanes::count();
+  const std::size_t step = 2 * Lanes::count();
   std::size_t i = 0;
   for (; i + step <= count; i += step) {
     run_group<Formula, Lanes>(in + 3 * i, out + 3 * i, p, undefined);
   }
   if (i == count) return;
-  float rest[3 * 64] = {};  // no vector has more lanes than 64
+  float rest[3 * 128] = {};  // no vector has more doubles than 64
   std::copy(in + 3 * i, in + 3 * count, rest);
   run_group<Formula, Lanes>(rest, rest, p, undefined);
   std::copy(rest, rest + 3 * (count - i), out + 3 * i);

@@ -15,13 +15,14 @@ struct ScalarLanes {
   static double load(const double* from) noexcept { return *from; }
   static void store(double x, double* to) noexcept { *to = x; }
 
-  static HWY_NAMESPACE::Three<double> load_pixels(const float* in) noexcept {
-    return {in[0], in[1], in[2]};
+  using Pixels = HWY_NAMESPACE::Two<HWY_NAMESPACE::Three<double>>;
+  static Pixels load_pixels(const float* in) noexcept {
+    return {{in[0], in[1], in[2]}, {in[3], in[4], in[5]}};
   }
-  static void store_pixels(const HWY_NAMESPACE::Three<double>& c, float* out) noexcept {
-    out[0] = static_cast<float>(c.a);
-    out[1] = static_cast<float>(c.b);
-    out[2] = static_cast<float>(c.c);
+  static void store_pixels(const Pixels& pixels, float* out) noexcept {
+    for (const auto& c : {pixels.a, pixels.b}) {
+      for (const double x : {c.a, c.b, c.c}) *out++ = static_cast<float>(x);
+    }
   }
 
   static void load_block(const float* in, RowChannels channels, std::size_t count,

@@ -13,10 +13,19 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace tristim::detail::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR
+
+// Without vectors: the definition.
+RowKernels vector_kernels() { return scalar_row_kernels(); }
+
+#else
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::ScalableTag<double>;
 using Floats = hn::Rebind<float, Doubles>;
+using WholeFloats = hn::Repartition<float, Doubles>;
 using Bits = hn::RebindToUnsigned<Doubles>;
 
 struct WideMask {
@@ -95,15 +104,14 @@ struct VectorLanes {
   static HWY_INLINE Wide load(const double* from) { return Wide(hn::Load(Doubles(), from)); }
   static HWY_INLINE void store(Wide x, double* to) { hn::Store(x.v, Doubles(), to); }
 
-  static HWY_INLINE Three<Wide> load_pixels(const float* in) {
-    hn::Vec<Floats> a, b, c;
-    hn::LoadInterleaved3(Floats(), in, a, b, c);
-    return {Wide(hn::PromoteTo(Doubles(), a)), Wide(hn::PromoteTo(Doubles(), b)),
-            Wide(hn::PromoteTo(Doubles(), c))};
+  static HWY_INLINE Two<Three<Wide> > load_pixels(const float* in) {
+    hn::Vec<WholeFloats> a, b, c;
+    hn::LoadInterleaved3(WholeFloats(), in, a, b, c);
+    return {{low(a), low(b), low(c)}, {high(a), high(b), high(c)}};
   }
-  static HWY_INLINE void store_pixels(const Three<Wide>& c, float* out) {
-    hn::StoreInterleaved3(hn::DemoteTo(Floats(), c.a.v), hn::DemoteTo(Floats(), c.b.v),
-                          hn::DemoteTo(Floats(), c.c.v), Floats(), out);
+  static HWY_INLINE void store_pixels(const Two<Three<Wide> >& x, float* out) {
+    hn::StoreInterleaved3(whole(x.a.a, x.b.a), whole(x.a.b, x.b.b), whole(x.a.c, x.b.c),
+                          WholeFloats(), out);
   }
 
   static void load_block(const float* in, RowChannels channels, std::size_t count,
@@ -148,6 +156,18 @@ struct VectorLanes {
   }
 
  private:
+  // The halves of a vector of floats, and one of two halves.
+  static HWY_INLINE Wide low(hn::Vec<WholeFloats> x) {
+    return Wide(hn::PromoteTo(Doubles(), hn::LowerHalf(Floats(), x)));
+  }
+  static HWY_INLINE Wide high(hn::Vec<WholeFloats> x) {
+    return Wide(hn::PromoteTo(Doubles(), hn::UpperHalf(Floats(), x)));
+  }
+  static HWY_INLINE hn::Vec<WholeFloats> whole(Wide low, Wide high) {
+    return hn::Combine(WholeFloats(), hn::DemoteTo(Floats(), high.v),
+                       hn::DemoteTo(Floats(), low.v));
+  }
+
   static HWY_INLINE void load_colors(hn::Vec<Floats> a, hn::Vec<Floats> b, hn::Vec<Floats> c,
                                      std::size_t i, RowBlock& block) {
     const Wide x(hn::PromoteTo(Doubles(), a));
@@ -168,6 +188,8 @@ struct VectorLanes {
 };
 
 RowKernels vector_kernels() { return all_kernels<VectorLanes>(hwy::TargetName(HWY_TARGET)); }
+
+#endif
 
 }  // namespace tristim::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
