@@ -47,7 +47,7 @@ struct Options {
   std::vector<std::string> words;
   std::string input;
   std::string output;
-  bool keep_undefined = false, replace = false;
+  bool keep_undefined = false;
   std::string mix;
   HueArc arc = HueArc::kShorter;
   int steps = 5;
@@ -93,7 +93,7 @@ void declare(CommandLine& line, Options& options) {
   line.flag("--json", "print the colours as JSON", options.print.json);
   line.flag("--list", "print models, primaries, whites and curves with ranges and sources",
             options.list);
-  line.flag("--force", "replace an existing file", options.force);
+  line.flag("-f,--force", "replace an existing file", options.force);
   declare_spectrum_options(line, options.spectrum);
   line.section("Pictures: each pixel is a colour of --from, as the file has it");
   line.option(
@@ -104,7 +104,6 @@ void declare(CommandLine& line, Options& options) {
   line.option("--undefined", "0|nan",
               "for components without a value, as hues of greys; default: 0",
               [&](const std::string& v) { options.keep_undefined = keeps_undefined(v); });
-  line.flag("-f,--force", "replace an existing file", options.replace);
   line.section("Mixing");
   line.option("--mix", "MODEL", "mix each pair of colours in this model", options.mix);
   line.option("--arc", list_names(kHueArcs, "|"), "which way round hues go; default: shorter",
@@ -178,7 +177,7 @@ PictureJob picture_job(const Options& options) {
           .to = options.print.to,
           .adaptation = options.adaptation,
           .keep_undefined = options.keep_undefined,
-          .replace = options.replace,
+          .replace = options.force,
           .explain = options.print.explain};
 }
 
