@@ -271,7 +271,7 @@ std::vector<RowStep> row_steps(const ColorConversion& conversion, const RowKerne
     }
   }
   // The kernels of HSV and HLS see to it themselves.
-  const int hue = conversion.to().hue;
+  const int hue = conversion.to().hue_turn == 360 ? conversion.to().hue : -1;
   if (hue >= 0 && rows.ends_with_edge()) rows.add(kernels.hue, {double(hue)});
   return rows.take();
 }

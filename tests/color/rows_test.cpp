@@ -73,7 +73,9 @@ std::vector<float> many_colors(std::size_t pixels, unsigned seed) {
 std::vector<std::string> names_of_models() {
   std::vector<std::string> names;
   for (const ColorModel& model : color_models()) {
-    if (model.to_text == nullptr && component_count(model) == 3) names.emplace_back(model.name);
+    const bool is_munsell = model.hue_turn != 360;  // a search; its last bits are its own
+    if (model.to_text == nullptr && component_count(model) == 3 && !is_munsell)
+      names.emplace_back(model.name);
   }
   for (const TransferFunction& curve : kTransferFunctions) {
     names.push_back("rgb:srgb/" + std::string(curve.name));
