@@ -124,7 +124,10 @@ struct Hexagon {
 
 template <typename W>
 HWY_INLINE Hexagon<W> hexagon(Three<W> c) {
-  const auto nan = is_nan(c.a) | is_nan(c.b) | is_nan(c.c);
+  const auto no_red = is_nan(c.a);
+  const auto no_green = is_nan(c.b);
+  const auto no_blue = is_nan(c.c);
+  const auto nan = no_red | no_green | no_blue;
   const W max = larger(larger(c.a, c.b), c.c);
   const W min = smaller(smaller(c.a, c.b), c.c);
   const auto red = c.a == max;
@@ -155,8 +158,8 @@ HWY_INLINE Two<W> hue_and_saturation(const Hexagon<W>& place, W range, W denomin
   const W turned = select(hue < W(0.0), hue + W(360.0), hue + W(0.0));
   const auto grey = range == W(0.0);
   const W saturation = select(denominator == W(0.0), W(kNone), ratio.b);
-  return {select(grey | is_nan(range), W(kNone), below_360(turned)),
-          select(grey, W(0.0), saturation)};
+  const auto none = is_nan(range);
+  return {select(grey | none, W(kNone), below_360(turned)), select(grey, W(0.0), saturation)};
 }
 
 // Any hue modulo 360, in [0, 360]. The stages keep hues exact that are whole turns times 2^44.
@@ -424,7 +427,8 @@ struct PqDecode {
     // Beside its zero and its pole a difference loses all digits.
     const auto coarse = (e > W(0.0)) & ((e < W(1e-3)) | (e > W(1.9))) & (e < W(kInfinity));
     const W y = where(coarse, e, select(e > W(0.0), light, W(0.0)), pq_decode);
-    return select(is_nan(e) | (e == W(kInfinity)), e, y);
+    const auto nan = is_nan(e);
+    return select(nan | (e == W(kInfinity)), e, y);
   }
 };
 
