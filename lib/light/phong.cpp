@@ -1,69 +1,98 @@
 #include "tristim/light/phong.h"
 
-#include "lib/core/math.h"
 #include "lib/light/power.h"
+#include "lib/light/precise.h"
 #include "lib/light/product.h"
-#include "tristim/light/vector.h"
 
 namespace tristim {
 namespace {
 
+using detail::precise;
 using detail::product;
 using Eigen::Vector3d;
 
-// Most exponents are small integers, for which squaring is as good as the cosine itself.
-double lobe_power(double cosine, double n) noexcept {
-  constexpr double kLargestSquared = 4096;
-  if (!(cosine > 0)) return 0;
-  if (n >= 0 && n <= kLargestSquared && n == static_cast<int>(n)) {
-    return detail::integer_power(cosine, static_cast<int>(n));
+template <typename Color>
+Color ambient_of(const MaterialOf<Color>& material, const Color& ambient) noexcept {
+  return product(material.ka, product(ambient, material.od));
+}
+
+template <typename Color>
+Color direct_of(const MaterialOf<Color>& material, const SpecularModel& model,
+                const Vector3d& normal, const Vector3d& to_eye,
+                const IncidentOf<Color>& incident) noexcept {
+  const double n_dot_l = lambert(normal, incident.to_light);
+  if (n_dot_l == 0) return {};
+  const double lobe = model.lobe(normal, incident.to_light, to_eye, material.n);
+  const Color reflected = detail::sum(product(product(material.kd, n_dot_l), material.od),
+                                      product(product(material.ks, lobe), material.os));
+  return product(incident.intensity, reflected);
+}
+
+template <typename Color>
+Color shade_of(const MaterialOf<Color>& material, const SpecularModel& model,
+               const Vector3d& normal, const Vector3d& to_eye, const Vector3d& point,
+               const Color& ambient, std::span<const LightOf<Color>> lights) noexcept {
+  Color radiance = ambient_of(material, ambient);
+  for (const LightOf<Color>& light : lights) {
+    radiance =
+        detail::sum(radiance, direct_of(material, model, normal, to_eye, incident(light, point)));
   }
-  return detail::pow(cosine, n);
+  return radiance;
 }
 
 }  // namespace
 
 double lambert(const Vector3d& normal, const Vector3d& to_light) noexcept {
-  const double n_dot_l = dot(normal, to_light);
+  const double n_dot_l = dot(precise(normal), precise(to_light)).hi;
   return n_dot_l > 0 ? n_dot_l : 0;
 }
 
 double phong_lobe(const Vector3d& normal, const Vector3d& to_light, const Vector3d& to_eye,
                   double n) noexcept {
-  const double n_dot_l = dot(normal, to_light);
-  if (!(n_dot_l > 0)) return 0;
-  return lobe_power(2 * dot(normal, to_eye) * n_dot_l - dot(to_light, to_eye), n);
+  const detail::PreciseVector light = precise(to_light);
+  const detail::PreciseVector up = precise(normal);
+  if (!(dot(up, light).hi > 0)) return 0;
+  return detail::lobe_power(detail::r_dot_v(up, light, precise(to_eye)), n);
 }
 
 double blinn_phong_lobe(const Vector3d& normal, const Vector3d& to_light, const Vector3d& to_eye,
                         double n) noexcept {
-  if (!(dot(normal, to_light) > 0)) return 0;
-  return lobe_power(dot(normal, half_vector(to_light, to_eye)), n);
+  const detail::PreciseVector light = precise(to_light);
+  const detail::PreciseVector up = precise(normal);
+  if (!(dot(up, light).hi > 0)) return 0;
+  return detail::lobe_power(dot(up, detail::half_vector(light, precise(to_eye))), n);
 }
 
 Rgb ambient_reflection(const Material& material, const Rgb& ambient) noexcept {
-  return product(material.ka, product(ambient, material.od));
+  return ambient_of(material, ambient);
+}
+
+SpectralColor ambient_reflection(const SpectralMaterial& material,
+                                 const SpectralColor& ambient) noexcept {
+  return ambient_of(material, ambient);
 }
 
 Rgb direct_reflection(const Material& material, const SpecularModel& model, const Vector3d& normal,
                       const Vector3d& to_eye, const Incident& incident) noexcept {
-  const double n_dot_l = lambert(normal, incident.to_light);
-  if (n_dot_l == 0) return {};
-  const double lobe = model.lobe(normal, incident.to_light, to_eye, material.n);
-  const Rgb reflected = detail::sum(product(product(material.kd, n_dot_l), material.od),
-                                    product(product(material.ks, lobe), material.os));
-  return product(incident.intensity, reflected);
+  return direct_of(material, model, normal, to_eye, incident);
+}
+
+SpectralColor direct_reflection(const SpectralMaterial& material, const SpecularModel& model,
+                                const Vector3d& normal, const Vector3d& to_eye,
+                                const SpectralIncident& incident) noexcept {
+  return direct_of(material, model, normal, to_eye, incident);
 }
 
 Rgb shade(const Material& material, const SpecularModel& model, const Vector3d& normal,
           const Vector3d& to_eye, const Vector3d& point, const Rgb& ambient,
           std::span<const Light> lights) noexcept {
-  Rgb radiance = ambient_reflection(material, ambient);
-  for (const Light& light : lights) {
-    const Incident arriving = incident(light, point);
-    radiance = detail::sum(radiance, direct_reflection(material, model, normal, to_eye, arriving));
-  }
-  return radiance;
+  return shade_of(material, model, normal, to_eye, point, ambient, lights);
+}
+
+SpectralColor shade(const SpectralMaterial& material, const SpecularModel& model,
+                    const Vector3d& normal, const Vector3d& to_eye, const Vector3d& point,
+                    const SpectralColor& ambient, std::span<const SpectralLight> lights) noexcept {
+  return shade_of(material, model, normal, to_eye, point, ambient, lights);
 }
 
 }  // namespace tristim

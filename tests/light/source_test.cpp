@@ -87,5 +87,55 @@ TEST(Incident, PointLightFadesWithTheDistance) {
   EXPECT_EQ(at_lamp.intensity, (Rgb{kInfinity, kInfinity, 0}));
 }
 
+TEST(SpotFactor, FollowsOpenGl) {
+  const Vector3d axis(0, 0, -2);
+  EXPECT_EQ(spot_factor(Vector3d(0, 0, -5), axis, 30, 8), 1);
+  EXPECT_NEAR(spot_factor(Vector3d(0.6, 0, -0.8), axis, 40, 2), 0.64, 2e-16);
+  EXPECT_EQ(spot_factor(Vector3d(0.6, 0, -0.8), axis, 36, 2), 0);  // 36.87 degrees off
+  EXPECT_EQ(spot_factor(Vector3d(0.6, 0, -0.8), axis, 40, 0), 1);
+  EXPECT_EQ(spot_factor(Vector3d(0, 0, 5), axis, 180, 8), 1);  // a point light
+  EXPECT_EQ(spot_factor(Vector3d(0, 0, 5), axis, 179, 0), 0);  // the cosine is not above 0
+  EXPECT_EQ(spot_factor(Vector3d(0, 0, 0), axis, 45, 1), 0);
+  EXPECT_EQ(spot_factor(Vector3d(1, 0, -1), axis, 45, 0), 1);  // on the edge of the cone
+  // cos 89.9999 keeps its digits: 1.745329251994e-6
+  EXPECT_EQ(spot_factor(Vector3d(1, 0, -1.7453292520e-6), axis, 89.9999, 0), 1);
+  EXPECT_EQ(spot_factor(Vector3d(1, 0, -1.7453292519e-6), axis, 89.9999, 0), 0);
+}
+
+TEST(Incident, SpotIsAPointLightInACone) {
+  const SpotLight spot{.position = {0, 0, 5},
+                       .direction = {0, 0, -3},
+                       .cutoff_deg = 45,
+                       .exponent = 2,
+                       .intensity = {25, 50, 0},
+                       .attenuation = {.kind = *find_by_name(kAttenuations, "inverse_square")}};
+  const Incident arriving = incident(spot, Vector3d(3, 0, 1));
+  EXPECT_LT((arriving.to_light - Vector3d(-0.6, 0, 0.8)).norm(), 2e-16);
+  EXPECT_NEAR(arriving.intensity.r, 0.64, 2e-16);
+  EXPECT_NEAR(arriving.intensity.g, 1.28, 4e-16);
+  EXPECT_EQ(incident(spot, Vector3d(9, 0, 1)).intensity, (Rgb{}));
+}
+
+TEST(Incident, SpectralLightIsThatOfEachSample) {
+  const PointLightOf<SpectralColor> lamp{
+      .position = {0, 0, 5},
+      .intensity = flat_spectrum(100),
+      .attenuation = {.kind = *find_by_name(kAttenuations, "inverse_square")}};
+  EXPECT_EQ(incident(lamp, Vector3d(0, 0, 3)).intensity, flat_spectrum(25));
+}
+
+TEST(PlacedWithCamera, TurnsAndMovesLights) {
+  CameraPose camera{.eye = {1, 2, 3}};
+  camera.world_from_camera << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // looks along -x
+  const Light sun = placed_with_camera(DirectionalLight{.to_light = {0, 0, 1}}, camera);
+  EXPECT_EQ(std::get<DirectionalLight>(sun).to_light, Vector3d(1, 0, 0));
+  const Light lamp = placed_with_camera(PointLight{.position = {0, 1, 0}}, camera);
+  EXPECT_EQ(std::get<PointLight>(lamp).position, Vector3d(1, 3, 3));
+  const Light spot =
+      placed_with_camera(SpotLight{.position = {0, 0, 0}, .direction = {0, 0, -1}}, camera);
+  EXPECT_EQ(std::get<SpotLight>(spot).position, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<SpotLight>(spot).direction, Vector3d(-1, 0, 0));
+}
+
 }  // namespace
 }  // namespace tristim

@@ -40,6 +40,46 @@ TEST(Vector, HalfVectorOfOppositeDirectionsIsZero) {
   EXPECT_EQ(half_vector(Vector3d(0.6, 0, 0.8), Vector3d(-0.6, 0, 0.8)), Vector3d(0, 0, 1));
 }
 
+TEST(Vector, PhongsReflectionIsTheGeometricOne) {
+  const Vector3d lights[] = {{0, 0, 1}, {0, 0, -1}, {0.6, 0, 0.8}, {-0.48, 0.6, 0.64}, {1, 0, 0}};
+  const Vector3d normals[] = {{0, 0, 1}, {0.6, 0, 0.8}, {-0.36, 0.48, 0.8}, {0, 0.6, -0.8}};
+  for (const Vector3d& to_light : lights) {
+    for (const Vector3d& normal : normals) {
+      const Vector3d expected = reflect(to_light, normal);
+      EXPECT_LT((reflect_by_turning(to_light, normal) - expected).norm(), 4e-16);
+      if (to_light == Vector3d(0, 0, 1)) {
+        EXPECT_LT((reflect_z(normal) - expected).norm(), 3e-16);
+      }
+    }
+  }
+}
+
+TEST(Vector, CosinesNearZeroKeepTheirDigits) {
+  // Of these doubles, from mpmath with 40 digits.
+  const Vector3d normal(0, 0.6, 0.8);
+  const Vector3d to_light(0, -0.28, 0.96);
+  const Vector3d to_eye(0, 0.8, -0.6);
+  EXPECT_NEAR(r_dot_v(normal, to_light, to_eye) / -0.79999999999999996, 1, 2e-16);
+  const Vector3d nearly(0, 0.28000001, -0.96);
+  // N.(L + V)/|L + V| with L + V = (0, 1e-8, 0)
+  EXPECT_NEAR(n_dot_h(normal, to_light, nearly), 0.6, 2e-16);
+  EXPECT_EQ(n_dot_h(normal, to_light, -to_light), 0);
+}
+
+TEST(Vector, AnglesHaveTheirNames) {
+  const double half = 0.70710678118654752;
+  const HighlightAngles angles =
+      highlight_angles(Vector3d(0, 0, 1), Vector3d(half, 0, half), Vector3d(0, 0, 1));
+  EXPECT_NEAR(angles.alpha_deg, 45, 1e-14);
+  EXPECT_NEAR(angles.beta_deg, 22.5, 1e-14);
+  EXPECT_NEAR(angles.rho_deg, 45, 1e-14);
+  EXPECT_NEAR(angles.nu_deg, 22.5, 1e-14);
+  EXPECT_EQ(angle_between_deg(Vector3d(5, 0, 0), Vector3d(0, -1e-200, 0)), 90);
+  EXPECT_EQ(angle_between_deg(Vector3d(5, 0, 0), Vector3d(-3, 0, 0)), 180);
+  EXPECT_EQ(angle_between_deg(Vector3d(5, 0, 0), Vector3d(0, 0, 0)), 0);
+  EXPECT_EQ(view_vector(Vector3d(0, 0, 1), Vector3d(0, 3, 5)), Vector3d(0, 0.6, 0.8));
+}
+
 TEST(Vector, AgreesWithTheExamples) {
   if (!shared_dir()) GTEST_SKIP() << kNoShared;
   for (const ExampleRow& row : example_rows(*shared_dir() / "spec/shade-examples/vectors.csv")) {

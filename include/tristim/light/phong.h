@@ -6,22 +6,26 @@
 #include <string_view>
 
 #include "tristim/color/rgb.h"
+#include "tristim/light/samples.h"
 #include "tristim/light/source.h"
 
 namespace tristim {
 
 /// How a surface reflects, in the letters of the illumination equation [Shoaff 3.4]. Coefficients
 /// and colours are unitless, 0..1 for surfaces that exist; nothing is clamped.
-struct Material {
-  double ka = 0;    // ambient
-  double kd = 0;    // diffuse
-  double ks = 0;    // specular
-  double n = 1;     // specular exponent, 0 or more; 1 is broad, several hundred a pinpoint
-  Rgb od{1, 1, 1};  // colour of the diffuse (and ambient) reflection
-  Rgb os{1, 1, 1};  // colour of the highlight
+template <typename Color>
+struct MaterialOf {
+  double ka = 0;  // ambient
+  double kd = 0;  // diffuse
+  double ks = 0;  // specular
+  double n = 1;   // specular exponent, 0 or more; 1 is broad, several hundred a pinpoint
+  Color od = kWhiteOf<Color>;  // colour of the diffuse (and ambient) reflection
+  Color os = kWhiteOf<Color>;  // colour of the highlight
 };
+using Material = MaterialOf<Rgb>;
+using SpectralMaterial = MaterialOf<SpectralColor>;
 
-/// (N.L), 0 where the light is behind the surface [Shoaff 3.2].
+/// (N.L), 0 where the light is behind the surface [Shoaff 3.2]. Rounded once, as the lobes are.
 double lambert(const Eigen::Vector3d& normal, const Eigen::Vector3d& to_light) noexcept;
 
 /// (R.V)^n with R = 2 (N.L) N - L [Phong75]. 0 where N.L or R.V is not above 0, so that n = 0 gives
@@ -52,12 +56,17 @@ inline constexpr std::array kSpecularModels{kPhong, kBlinnPhong};
 
 /// ka Ia Od [Shoaff 3.1].
 Rgb ambient_reflection(const Material& material, const Rgb& ambient) noexcept;
+SpectralColor ambient_reflection(const SpectralMaterial& material,
+                                 const SpectralColor& ambient) noexcept;
 
 /// f_att Ip [kd Od (N.L) + ks Os lobe], the light of one source [Shoaff 3.4]; 0 where N.L is not
 /// above 0.
 Rgb direct_reflection(const Material& material, const SpecularModel& model,
                       const Eigen::Vector3d& normal, const Eigen::Vector3d& to_eye,
                       const Incident& incident) noexcept;
+SpectralColor direct_reflection(const SpectralMaterial& material, const SpecularModel& model,
+                                const Eigen::Vector3d& normal, const Eigen::Vector3d& to_eye,
+                                const SpectralIncident& incident) noexcept;
 
 /// The complete illumination equation at `point`, one source after the other [Shoaff 3.4, 3.7]:
 /// ka Ia Od + sum f_att Ip [kd Od (N.L) + ks Os lobe]. `normal` (N) and `to_eye` (V) are unit
@@ -66,5 +75,9 @@ Rgb direct_reflection(const Material& material, const SpecularModel& model,
 Rgb shade(const Material& material, const SpecularModel& model, const Eigen::Vector3d& normal,
           const Eigen::Vector3d& to_eye, const Eigen::Vector3d& point, const Rgb& ambient,
           std::span<const Light> lights) noexcept;
+SpectralColor shade(const SpectralMaterial& material, const SpecularModel& model,
+                    const Eigen::Vector3d& normal, const Eigen::Vector3d& to_eye,
+                    const Eigen::Vector3d& point, const SpectralColor& ambient,
+                    std::span<const SpectralLight> lights) noexcept;
 
 }  // namespace tristim

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "tristim/color/rgb.h"
+#include "tristim/light/samples.h"
 
 namespace tristim {
 
@@ -45,27 +46,68 @@ struct Attenuation {
 };
 
 /// Light from one direction, everywhere the same.
-struct DirectionalLight {
+template <typename Color>
+struct DirectionalLightOf {
   Eigen::Vector3d to_light{0, 0, 1};  // any length
-  Rgb intensity = {};                 // Ip
+  Color intensity = {};               // Ip
 };
 
 /// Light from one place.
-struct PointLight {
+template <typename Color>
+struct PointLightOf {
   Eigen::Vector3d position{0, 0, 0};
-  Rgb intensity = {};  // Ip
+  Color intensity = {};  // Ip
   Attenuation attenuation = {};
 };
 
-using Light = std::variant<DirectionalLight, PointLight>;
+/// Light from one place into a cone.
+template <typename Color>
+struct SpotLightOf {
+  Eigen::Vector3d position{0, 0, 0};
+  Eigen::Vector3d direction{0, 0, -1};  // of the axis, away from the light, any length
+  double cutoff_deg = 180;              // 0..180, from the axis; 180 makes a point light
+  double exponent = 0;                  // 0 or more, the larger the narrower
+  Color intensity = {};                 // Ip, along the axis
+  Attenuation attenuation = {};
+};
+
+/// The colour of a light is what its samples are: RGB, or a spectrum of 81 wavelengths.
+using DirectionalLight = DirectionalLightOf<Rgb>;
+using PointLight = PointLightOf<Rgb>;
+using SpotLight = SpotLightOf<Rgb>;
+
+template <typename Color>
+using LightOf = std::variant<DirectionalLightOf<Color>, PointLightOf<Color>, SpotLightOf<Color>>;
+using Light = LightOf<Rgb>;
+using SpectralLight = LightOf<SpectralColor>;
 
 /// What arrives at a point from one light.
-struct Incident {
+template <typename Color>
+struct IncidentOf {
   Eigen::Vector3d to_light{0, 0, 0};  // L, unit; 0 at the light's own place
-  Rgb intensity = {};                 // f_att Ip; infinite where f_att is
+  Color intensity = {};               // f_att Ip; infinite where f_att is
 };
+using Incident = IncidentOf<Rgb>;
+using SpectralIncident = IncidentOf<SpectralColor>;
 
 /// The light that `light` sends to `point`, nothing being in the way.
 Incident incident(const Light& light, const Eigen::Vector3d& point) noexcept;
+SpectralIncident incident(const SpectralLight& light, const Eigen::Vector3d& point) noexcept;
+
+/// The part of a spot's light that leaves in a direction, by OpenGL's rule [OpenGL 2.13.1]: with c
+/// the cosine between `from_light` and `axis`, both of any length, c^exponent where c is above 0
+/// and not below cos(cutoff), else 0. A cutoff of 180 is a point light, 1. A vector 0 has c = 0.
+double spot_factor(const Eigen::Vector3d& from_light, const Eigen::Vector3d& axis,
+                   double cutoff_deg, double exponent) noexcept;
+
+/// Where the camera stands, for lights that move with it.
+struct CameraPose {
+  Eigen::Matrix3d world_from_camera = Eigen::Matrix3d::Identity();  // a rotation
+  Eigen::Vector3d eye{0, 0, 0};                                     // in the world
+};
+
+/// A light that is fixed to the camera, in the world's coordinates [UBC]; lights that are fixed to
+/// the world are used as they are.
+Light placed_with_camera(const Light& in_camera, const CameraPose& camera) noexcept;
 
 }  // namespace tristim
