@@ -11,6 +11,7 @@ void run_gamut(Arguments arguments);
 void run_levels(Arguments arguments);
 void run_device(Arguments arguments);
 void run_info(Arguments arguments);
+void run_shade(Arguments arguments);
 void run_render(Arguments arguments);
 
 /// Every command. Main and the help read this list.
@@ -25,6 +26,7 @@ inline constexpr Command kCommands[] = {
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
     {"device", "list|show|check [D...] [options]", "list, show and check devices", run_device},
     {"info", "FILE... [options]", "what a picture file is", run_info},
+    {"shade", "MODEL [IN [OUT]] [options]", "illumination models, evaluated row by row", run_shade},
     {"render", "SCENE -o OUT.exr [options]", "make a picture to process", run_render},
 };
 
