@@ -1,5 +1,6 @@
 #include "tristim/light/area.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "lib/light/angle.h"
@@ -34,7 +35,9 @@ std::vector<PreciseVector> above_horizon(std::span<const Vector3d> polygon, cons
     const PreciseVector toward = precise(vertex) - precise(point);
     all.push_back({toward, dot(toward, precise(normal))});
   }
+  const auto above = [](const Sight& sight) { return sight.height.hi > 0; };
   std::vector<PreciseVector> kept;
+  if (std::none_of(all.begin(), all.end(), above)) return kept;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Sight& here = all[i];
     const Sight& next = all[(i + 1) % all.size()];

@@ -19,7 +19,7 @@ const Vector3d kUp(0, 0, 1);
 TEST(Radiometry, Definitions) {
   EXPECT_EQ(cone_solid_angle_sr(90), 2 * kPi);
   EXPECT_EQ(cone_solid_angle_sr(180), 4 * kPi);
-  EXPECT_NEAR(cone_solid_angle_sr(1e-6) / 9.5692231e-16, 1, 1e-7);  // pi (1e-6 degrees)^2
+  EXPECT_NEAR(cone_solid_angle_sr(1e-6) / 9.5698384815740175e-16, 1, 3e-16);
   EXPECT_EQ(radiant_intensity(4 * kPi, cone_solid_angle_sr(180)), 1);
   EXPECT_EQ(foreshortened_area(2, kUp, Vector3d(0.6, 0, 0.8)), 1.6);
   EXPECT_EQ(foreshortened_area(2, kUp, -kUp), 0);
