@@ -17,14 +17,15 @@ constexpr std::string_view kExamples =
     "  tristim shade fresnel_dielectric --help\n"
     "  tristim shade fresnel_dielectric --cos_i 0.5 --eta_i 1 --eta_t 1.5\n"
     "  printf 'id,cos_i\\n1,1\\n2,0.1\\n' | tristim shade fresnel_conductor - --eta 0.18 --k 3.42\n"
-    "  tristim shade tables --paper fisher-woo\n";
+    "  tristim shade tables --paper fisher-woo\n"
+    "  tristim shade figures -o figures\n";
 
 /// What `tristim shade` does beside evaluating models.
 struct Job {
   std::string_view name;
   void (*run)(Arguments arguments);
 };
-constexpr Job kJobs[] = {{"tables", run_shade_tables}};
+constexpr Job kJobs[] = {{"tables", run_shade_tables}, {"figures", run_shade_figures}};
 
 struct Options {
   std::vector<std::string> words;  // MODEL IN OUT
@@ -108,7 +109,7 @@ void run_shade(Arguments arguments) {
   std::string examples(kExamples);
   if (model != nullptr) examples += "\n" + model_text(*model);
   CommandLine line(*find_by_name(kCommands, "shade"), examples);
-  line.positional("MODEL", "one of --list, or tables", options.words, 0, 3);
+  line.positional("MODEL", "one of --list, or tables, or figures", options.words, 0, 3);
   line.flag("-f,--force", "replace an existing file", options.force);
   line.flag("--list", "print the models with their inputs, outputs, formula and source",
             options.list);

@@ -65,10 +65,13 @@ std::string heads_text(const PaperTable& table) {
 }
 
 std::string misprints_text(const PaperTable& table) {
+  constexpr int kPerLine = 3;
   std::string text;
+  int count = 0;
   for (std::size_t cell = 0; cell < table.values.size(); ++cell) {
     if (!table.misprint(cell)) continue;
-    text += text.empty() ? "* The paper prints " : ", ";
+    text += count == 0 ? "* The paper prints " : count % kPerLine == 0 ? ",\n  " : ", ";
+    ++count;
     text.append(table.printed[cell]).append(" for ").append(table.rounded(cell));
     text.append(" at (").append(table.rows[cell / table.columns.size()]).append(", ");
     text.append(table.columns[cell % table.columns.size()]).append(")");

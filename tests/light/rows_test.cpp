@@ -80,9 +80,9 @@ RowShading shading_of(const RowModel& model) {
 }
 
 // Every instruction set that this processor has, then its own choice again.
-class Rows : public testing::Test {
+class ShadeRows : public testing::Test {
  protected:
-  ~Rows() override { hwy::SetSupportedTargetsForTest(0); }
+  ~ShadeRows() override { hwy::SetSupportedTargetsForTest(0); }
 
   static std::vector<std::int64_t> targets() {
     hwy::SetSupportedTargetsForTest(0);
@@ -90,7 +90,7 @@ class Rows : public testing::Test {
   }
 };
 
-TEST_F(Rows, SameBitsOnEveryInstructionSet) {
+TEST_F(ShadeRows, SameBitsOnEveryInstructionSet) {
   constexpr std::size_t kMost = 1003;
   const Surface surface(kMost);
   for (const std::int64_t target : targets()) {
@@ -161,7 +161,7 @@ double largest_relative_error(const RowShading& shading, const Surface& surface,
   return largest;
 }
 
-TEST_F(Rows, KeepToTheDoubleFunctions) {
+TEST_F(ShadeRows, KeepToTheDoubleFunctions) {
   constexpr std::size_t kSize = 4000;
   const Surface surface(kSize);
   for (const RowModel& model : kRowModels) {
@@ -183,7 +183,7 @@ TEST_F(Rows, KeepToTheDoubleFunctions) {
   }
 }
 
-TEST_F(Rows, SumTheLightsAndTheAmbient) {
+TEST_F(ShadeRows, SumTheLightsAndTheAmbient) {
   const Surface surface(100);
   for (const RowModel& model : kRowModels) {
     const SpecularModel* lobe = find_by_name(kSpecularModels, model.name);
@@ -202,7 +202,7 @@ TEST_F(Rows, SumTheLightsAndTheAmbient) {
   }
 }
 
-TEST_F(Rows, DistantEyeIsADirection) {
+TEST_F(ShadeRows, DistantEyeIsADirection) {
   const Surface surface(50);
   RowShading shading = shading_of(kPhongRows);
   shading.local_viewer = false;
@@ -216,7 +216,7 @@ TEST_F(Rows, DistantEyeIsADirection) {
   }
 }
 
-TEST_F(Rows, AreFiniteWhereDirectionsVanish) {
+TEST_F(ShadeRows, AreFiniteWhereDirectionsVanish) {
   // At the light, at the eye, without a normal, with the light opposite to the eye, and grazing.
   const std::vector<float> x{2, 0, 0, 1, 0.5F};
   const std::vector<float> y{1, 0, 0, 0.5F, 0};
@@ -244,7 +244,7 @@ TEST_F(Rows, AreFiniteWhereDirectionsVanish) {
   }
 }
 
-TEST_F(Rows, RefuseWhatTheyCannotShade) {
+TEST_F(ShadeRows, RefuseWhatTheyCannotShade) {
   const Surface surface(8);
   Lit lit(7);
   EXPECT_THROW(shade_rows(shading_of(kPhongRows), surface.view(8), lit.view()),
@@ -261,7 +261,7 @@ TEST_F(Rows, RefuseWhatTheyCannotShade) {
   EXPECT_THROW(shade_rows(shading, surface.view(8), fits.view()), std::invalid_argument);
 }
 
-TEST_F(Rows, PowersAreWithinTwoUlp) {
+TEST_F(ShadeRows, PowersAreWithinTwoUlp) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> base(0, 1);
   std::vector<float> x(20001);
@@ -290,7 +290,7 @@ TEST_F(Rows, PowersAreWithinTwoUlp) {
   EXPECT_LT(largest, 1.5);  // measured: 1.38
 }
 
-TEST_F(Rows, PowersOfNothingAreNothing) {
+TEST_F(ShadeRows, PowersOfNothingAreNothing) {
   const std::vector<float> x{0, -1, -0.0F};
   std::vector<float> out(3, 7);
   for (const float n : {0.0F, 1.0F, 2.5F}) {
