@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "lib/core/double_double.h"
+#include "lib/color/exact_matrix.h"
 
 namespace tristim {
 namespace {
@@ -29,6 +29,9 @@ Xyz xyy_to_xyz(Xyy xyy) noexcept {
           sum3(1, -xyy.x, -xyy.y) * xyy.luminance / xyy.y};
 }
 
-Xyz white_xyz(Chromaticity white) noexcept { return xyy_to_xyz({white.x, white.y, 1}); }
+Xyz white_xyz(Chromaticity white) noexcept {
+  const detail::ExactVector exact = detail::exact_white(white);
+  return {exact[0].hi, exact[1].hi, exact[2].hi};
+}
 
 }  // namespace tristim

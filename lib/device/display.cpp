@@ -152,7 +152,7 @@ std::vector<Rgb> palette_light(const Display& display, BlackPoint black_point) {
   const Xyy white = xyz_to_xyy(w);
   const Eigen::Matrix3d matrix =
       rgb_from_xyz(display.primaries) *
-      adaptation_matrix({white.x, white.y}, display.primaries.white, Adaptation::kBradford);
+      adaptation_matrix({white.x, white.y}, display.primaries.white, display.adaptation);
   const auto light = [&](const Xyz& c) -> Eigen::Vector3d {
     return matrix * Eigen::Vector3d(c.x / w.y, c.y / w.y, c.z / w.y);
   };

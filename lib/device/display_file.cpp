@@ -254,7 +254,8 @@ Xyz rgb_appearance(const TomlTable& table, const std::vector<double>& rgb) {
 }
 
 // Exactly one of the keys lab, xyz, rgb says what an entry looks like.
-Xyz read_appearance(const TomlTable& table, std::optional<Chromaticity> viewing_white) {
+Xyz read_appearance(const TomlTable& table, std::optional<Chromaticity> viewing_white,
+                    Adaptation adaptation) {
   const auto lab = table.numbers("lab");
   const auto xyz = table.numbers("xyz");
   const auto rgb = table.numbers("rgb");
@@ -267,9 +268,8 @@ Xyz read_appearance(const TomlTable& table, std::optional<Chromaticity> viewing_
   if (values.size() != 3) table.fail(key, std::string(key) + " must have three numbers");
   if (rgb) {
     const Xyz d65 = rgb_appearance(table, values);
-    const Eigen::Vector3d seen =
-        adaptation_matrix(kD65, viewing_white.value_or(kD65), Adaptation::kBradford) *
-        Eigen::Vector3d(d65.x, d65.y, d65.z);
+    const Eigen::Vector3d seen = adaptation_matrix(kD65, viewing_white.value_or(kD65), adaptation) *
+                                 Eigen::Vector3d(d65.x, d65.y, d65.z);
     return {seen.x(), seen.y(), seen.z()};
   }
   if (xyz) {
@@ -313,6 +313,7 @@ void read_palette(const TomlTable& root, Display& display) {
   std::optional<Chromaticity> viewing_white;
   if (const auto viewing = root.table("viewing")) {
     if (viewing->has("white")) viewing_white = white_point(*viewing, "white");
+    display.adaptation = choice(*viewing, "adapt", kAdaptations, kAdaptations[0]).method;
     viewing->finish();
   }
   display.viewing_white = viewing_white.value_or(kD65);
@@ -320,7 +321,7 @@ void read_palette(const TomlTable& root, Display& display) {
   for (const TomlTable& entry : root.tables("palette")) {
     CodeColor color;
     color.code = read_code(entry, display.palette.size(), code_max);
-    color.appearance = read_appearance(entry, viewing_white);
+    color.appearance = read_appearance(entry, viewing_white, display.adaptation);
     color.name = entry.string("name").value_or("");
     entry.finish();
     display.palette.push_back(std::move(color));

@@ -38,9 +38,8 @@ TEST(XyzFromRgb, MakesTheWhiteOfEverySet) {
     SCOPED_TRACE(set.name);
     const Matrix3d xyz_from = xyz_from_rgb(set.primaries);
     const Matrix3d rgb_from = rgb_from_xyz(set.primaries);
-    // A few roundings of the largest term.
-    EXPECT_LE(largest(xyz_from * Vector3d::Ones() - white_of(set.primaries)), 4e-15);
-    EXPECT_LE(largest(rgb_from * white_of(set.primaries) - Vector3d::Ones()), 4e-15);
+    EXPECT_EQ(xyz_from * Vector3d::Ones(), white_of(set.primaries));
+    EXPECT_LE(largest(rgb_from * white_of(set.primaries) - Vector3d::Ones()), 2e-16);
     EXPECT_LE(largest(rgb_from * xyz_from - Matrix3d::Identity()), 4e-15 * largest(rgb_from));
   }
 }
@@ -57,8 +56,8 @@ TEST(XyzFromRgb, HasTheChromaticitiesInItsColumns) {
   }
 }
 
-// Solved in exact fractions from the published decimals, then rounded once; ours may be off by 2
-// ulp.
+// Solved in exact fractions from the published decimals, then rounded once; ours may be moved by
+// a last bit or two for the sake of the white.
 TEST(XyzFromRgb, AgreesWithExactFractions) {
   const Matrix3d srgb = rows({0.4123907992659595, 0.35758433938387796, 0.1804807884018343,   //
                               0.21263900587151036, 0.7151686787677559, 0.07219231536073371,  //
@@ -102,8 +101,6 @@ TEST(XyzFromRgb, RejectsAWhiteWithoutLuminance) {
   primaries.white.y = 0;
   EXPECT_EQ(error_text([&] { xyz_from_rgb(primaries); }),
             "invalid: white: y must be finite and not 0");
-  EXPECT_THROW(adaptation_matrix({0.3, 0}, kD65, Adaptation::kBradford), std::invalid_argument);
-  EXPECT_THROW(adaptation_matrix(kD65, {0.3, 0}, Adaptation::kNone), std::invalid_argument);
 }
 
 TEST(WhiteFromLuminances, UndoesTheMatrix) {
@@ -123,42 +120,13 @@ TEST(WhiteFromLuminances, RejectsDarkness) {
   EXPECT_THROW(white_from_luminances({}, -1, 0.5, 0.2), std::invalid_argument);
 }
 
-TEST(AdaptationMatrix, CarriesWhiteToWhite) {
-  for (const AdaptationMethod& method : kAdaptations) {
-    if (method.method == Adaptation::kNone) continue;
-    for (const WhitePoint& from : kWhitePoints) {
-      for (const WhitePoint& to : kWhitePoints) {
-        SCOPED_TRACE(testing::Message() << method.name << " " << from.name << " " << to.name);
-        const Matrix3d m = adaptation_matrix(from.chromaticity, to.chromaticity, method.method);
-        const Vector3d adapted = m * white_of({.white = from.chromaticity});
-        EXPECT_LE(largest(adapted - white_of({.white = to.chromaticity})), 4e-15);
-        if (from.name == to.name) {
-          EXPECT_EQ(m, Matrix3d::Identity());
-        }
-      }
-    }
-  }
-}
-
-TEST(AdaptationMatrix, NoneLeavesXyzAlone) {
-  EXPECT_EQ(adaptation_matrix(kD50, kD65, Adaptation::kNone), Matrix3d::Identity());
-}
-
-// [CSS4 sample code] D65_to_D50, the same whites.
-TEST(AdaptationMatrix, AgreesWithCss) {
-  const Matrix3d css = rows({1.0479297925449969, 0.022946870601609652, -0.05019226628920524,  //
-                             0.02962780877005599, 0.9904344267538799, -0.017073799063418826,  //
-                             -0.009243040646204504, 0.015055191490298152, 0.7518742814281371});
-  EXPECT_LE(largest(adaptation_matrix(kD65, kD50, Adaptation::kBradford) - css), 2e-15);
-}
-
 TEST(RgbFromRgb, AgreesWithTheExamples) {
   const auto shared = shared_dir();
   if (!shared) GTEST_SKIP() << kNoShared;
   for (const ExampleRow& row : example_rows(*shared / "spec/colour-examples/rgb_rgb.csv")) {
     SCOPED_TRACE(row.text("id"));
     const AdaptationMethod* method = find_by_name(kAdaptations, row.text("adapt"));
-    if (method == nullptr) continue;
+    ASSERT_NE(method, nullptr) << row.text("adapt");
     const Vector3d in(row.number("i0"), row.number("i1"), row.number("i2"));
     const Vector3d out =
         rgb_from_rgb(named(row.text("to")), named(row.text("from")), method->method) * in;
@@ -173,12 +141,22 @@ TEST(RgbFromRgb, KeepsWhiteWhereItAdapts) {
     for (const NamedPrimaries& to : primaries_list()) {
       const Matrix3d m = rgb_from_rgb(to.primaries, from.primaries, Adaptation::kBradford);
       SCOPED_TRACE(testing::Message() << from.name << " " << to.name);
-      EXPECT_LE(largest(m * Vector3d::Ones() - Vector3d::Ones()), 1e-14);
+      EXPECT_EQ(m * Vector3d::Ones(), Vector3d::Ones());
       if (from.primaries == to.primaries) {
         EXPECT_EQ(m, Matrix3d::Identity());
       }
     }
   }
+}
+
+// Monitor to monitor as the document has it: M2^-1 M1, and the white moves.
+TEST(RgbFromRgb, MovesTheWhiteWithoutAdaptation) {
+  const Primaries& ntsc = named("ntsc-1953");
+  const Matrix3d m = rgb_from_rgb(ntsc, Primaries{}, Adaptation::kNone);
+  EXPECT_LE(largest(m - rgb_from_xyz(ntsc) * xyz_from_rgb(Primaries{})), 1e-15);
+  // In 50 digits.
+  const Vector3d white(0.9688738766248713, 1.0327728624209664, 0.9135080537351388);
+  EXPECT_LE(largest(m * Vector3d::Ones() - white), 2.3e-16);
 }
 
 }  // namespace

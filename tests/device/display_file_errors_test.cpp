@@ -26,6 +26,7 @@ const BadFile kBadFiles[] = {
     {"[primaries]\nset = \"ntsc1935\"",
      "3:7: unknown primaries 'ntsc1935'; did you mean ntsc-1953?"},
     {"[viewing]\nwhite = \"D56\"", "3:9: unknown white 'D56'; did you mean d50?"},
+    {"[viewing]\nadapt = \"cat2\"", "3:9: unknown adapt 'cat2'; did you mean cat02?"},
     {"[response]\nkind = \"gama\"", "3:8: unknown kind 'gama'; did you mean gamma?"},
     {"[levels]\nspacing = \"rato\"", "3:11: unknown spacing 'rato'; did you mean ratio?"},
     // Ranges.

@@ -175,5 +175,19 @@ rgb = [1.0, 1.0, 1.0]
   EXPECT_EQ(display.palette[3].code, 3);
 }
 
+TEST(ParseDisplay, AdaptsThePaletteAsTheFileSays) {
+  for (const AdaptationMethod& method : kAdaptations) {
+    const Display display =
+        parsed("[frame_buffer]\npacking = \"index4\"\n[viewing]\nwhite = \"A\"\nadapt = \"" +
+               std::string(method.name) +
+               "\"\n[[palette]]\nrgb = [1.0, 0.0, 0.0]\n[[palette]]\nrgb = [255, 255, 255]\n");
+    EXPECT_EQ(display.adaptation, method.method);
+    const Eigen::Vector3d red =
+        adaptation_matrix(kD65, display.viewing_white, method.method) * xyz_from_rgb({}).col(0);
+    EXPECT_NEAR(display.palette[0].appearance.x, red.x(), 1e-15) << method.name;
+  }
+  EXPECT_EQ(parsed("").adaptation, Adaptation::kBradford);
+}
+
 }  // namespace
 }  // namespace tristim

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "tristim/color/adaptation.h"
 #include "tristim/color/xyz.h"
 
 namespace tristim {
@@ -43,29 +44,6 @@ Eigen::Matrix3d rgb_from_xyz(const Primaries& primaries);
 /// (any unit) [Shoaff 2.2.4]. Throws std::invalid_argument when the sum of the luminances is not
 /// above 0.
 Chromaticity white_from_luminances(const Primaries& phosphors, double yr, double yg, double yb);
-
-/// How colours seen under one white are carried to another.
-enum class Adaptation {
-  kNone,      ///< XYZ stay: the white moves
-  kBradford,  ///< linear Bradford [Lam85, ICC.1 annex E]
-  kCat16,     ///< CAT16 [Li17], full adaptation
-};
-
-struct AdaptationMethod {
-  std::string_view name;
-  Adaptation method;
-  std::string_view source;
-};
-
-inline constexpr AdaptationMethod kAdaptations[] = {
-    {"bradford", Adaptation::kBradford, "[Lam85]"},
-    {"cat16", Adaptation::kCat16, "[Li17]"},
-    {"none", Adaptation::kNone, "[Shoaff 2.2.4]"},
-};
-
-/// XYZ seen under white `from` to XYZ that look alike under white `to`.
-/// Throws std::invalid_argument when a white has y = 0.
-Eigen::Matrix3d adaptation_matrix(Chromaticity from, Chromaticity to, Adaptation method);
 
 /// Linear RGB of one set to linear RGB of another: rgb_from_xyz(to) * adaptation *
 /// xyz_from_rgb(from) [Shoaff 2.2.4]. Throws std::invalid_argument when either set lies on a line.

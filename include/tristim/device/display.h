@@ -51,8 +51,9 @@ struct Display {
   DisplayKind kind = DisplayKind::kEmissive;
   FrameLayout frame;
   std::optional<PanelSize> panel;
-  Chromaticity viewing_white = kD65;  // of the palette's XYZ
-  std::vector<CodeColor> palette;     // empty: codes are levels of channels
+  Chromaticity viewing_white = kD65;              // of the palette's XYZ
+  Adaptation adaptation = Adaptation::kBradford;  // of the palette's XYZ to other whites
+  std::vector<CodeColor> palette;                 // empty: codes are levels of channels
   bool palette_has_white =
       true;  // its lightest entry is the device's white, its darkest the black; else (a palette
              // chosen for a picture) appearances are relative to the viewing white, Y = 1
