@@ -11,7 +11,7 @@ struct Matrix4096 {
   double m[3][3];
 };
 
-constexpr Matrix4096 kLmsFromRgb{{{1688, 2146, 262}, {683, 2951, 462}, {99, 309, 3688}}};
+constexpr Matrix4096 kLmsFromSrgb{{{1688, 2146, 262}, {683, 2951, 462}, {99, 309, 3688}}};
 constexpr Matrix4096 kPqFromLms{{{2048, 2048, 0}, {6610, -13613, 7003}, {17933, -17390, -543}}};
 constexpr Matrix4096 kHlgFromLms{{{2048, 2048, 0}, {3625, -7465, 3840}, {9500, -9212, -288}}};
 
@@ -58,14 +58,14 @@ Rgb each(double (*curve)(double) noexcept, Rgb c) noexcept {
   return {curve(c.r), curve(c.g), curve(c.b)};
 }
 
-constexpr Matrix4096 kRgbFromLms = inverse(kLmsFromRgb);
+constexpr Matrix4096 kRgbFromLms = inverse(kLmsFromSrgb);
 constexpr Matrix4096 kLmsFromPq = inverse(kPqFromLms);
 constexpr Matrix4096 kLmsFromHlg = inverse(kHlgFromLms);
 
 }  // namespace
 
 Ictcp bt2020_to_ictcp_pq(Rgb cd_m2) noexcept {
-  const Rgb lms = apply(kLmsFromRgb, cd_m2);
+  const Rgb lms = apply(kLmsFromSrgb, cd_m2);
   return opponents(kPqFromLms,
                    each(pq_encode, {lms.r / kPqPeak, lms.g / kPqPeak, lms.b / kPqPeak}));
 }
@@ -76,7 +76,7 @@ Rgb ictcp_pq_to_bt2020(Ictcp ictcp) noexcept {
 }
 
 Ictcp bt2020_to_ictcp_hlg(Rgb scene) noexcept {
-  return opponents(kHlgFromLms, each(hlg_encode, apply(kLmsFromRgb, scene)));
+  return opponents(kHlgFromLms, each(hlg_encode, apply(kLmsFromSrgb, scene)));
 }
 
 Rgb ictcp_hlg_to_bt2020(Ictcp ictcp) noexcept {

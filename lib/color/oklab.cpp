@@ -10,7 +10,7 @@ namespace tristim {
 namespace {
 
 using detail::kLabFromRoots;
-using detail::kLmsFromRgb;
+using detail::kLmsFromSrgb;
 
 Eigen::Matrix3d inverse(const double (&m)[3][3]) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&m[0][0]).inverse();
@@ -23,9 +23,9 @@ double dot(const double (&row)[3], double x, double y, double z) noexcept {
 // Oklab with `compress` in the place of the cube root.
 template <typename Compress>
 Oklab oklab_by(Compress&& compress, Rgb rgb) noexcept {
-  const double l = compress(dot(kLmsFromRgb[0], rgb.r, rgb.g, rgb.b));
-  const double m = compress(dot(kLmsFromRgb[1], rgb.r, rgb.g, rgb.b));
-  const double s = compress(dot(kLmsFromRgb[2], rgb.r, rgb.g, rgb.b));
+  const double l = compress(dot(kLmsFromSrgb[0], rgb.r, rgb.g, rgb.b));
+  const double m = compress(dot(kLmsFromSrgb[1], rgb.r, rgb.g, rgb.b));
+  const double s = compress(dot(kLmsFromSrgb[2], rgb.r, rgb.g, rgb.b));
   return {dot(kLabFromRoots[0], l, m, s), dot(kLabFromRoots[1], l, m, s),
           dot(kLabFromRoots[2], l, m, s)};
 }
@@ -42,7 +42,7 @@ Oklab linear_srgb_to_oklab_with_toe(Rgb rgb, double toe) noexcept {
 
 Rgb oklab_to_linear_srgb(Oklab oklab) noexcept {
   static const Eigen::Matrix3d roots_from_lab = inverse(kLabFromRoots);
-  static const Eigen::Matrix3d rgb_from_lms = inverse(kLmsFromRgb);
+  static const Eigen::Matrix3d rgb_from_lms = inverse(kLmsFromSrgb);
   const Eigen::Vector3d roots = roots_from_lab * Eigen::Vector3d(oklab.l, oklab.a, oklab.b);
   const Eigen::Vector3d rgb = rgb_from_lms * roots.cwiseProduct(roots).cwiseProduct(roots);
   return {rgb.x(), rgb.y(), rgb.z()};

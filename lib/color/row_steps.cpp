@@ -189,13 +189,13 @@ Eigen::Matrix3d matrix_of(const double (&m)[3][3]) {
 }
 
 void to_oklab(Builder& rows, const ConversionStep& /*step*/) {
-  rows.add_oklab(matrix_of(kLmsFromRgb), matrix_of(kLabFromRoots));
+  rows.add_oklab(matrix_of(kLmsFromSrgb), matrix_of(kLabFromRoots));
 }
 
 void from_oklab(Builder& rows, const ConversionStep& /*step*/) {
   rows.add_matrix(matrix_of(kLabFromRoots).inverse());
   rows.add(rows.kernels().cube);
-  rows.add_matrix(matrix_of(kLmsFromRgb).inverse());
+  rows.add_matrix(matrix_of(kLmsFromSrgb).inverse());
 }
 
 template <std::size_t system>

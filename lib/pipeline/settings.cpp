@@ -166,8 +166,7 @@ std::vector<Setting> make_settings() {
       {"gamut-map", list_names(kGamutMethods, "|"),
        "colours outside the device's gamut; default: clip",
        [](Settings& s, std::string_view v) {
-         return choose("gamut map", kGamutMethods, v,
-                       [&](const NamedGamutMethod& m) { s.gamut = m.method; });
+         return choose("gamut map", kGamutMethods, v, [&](const GamutMethod& m) { s.gamut = m; });
        }},
       {"black-point", list_names(kBlackPoints, "|"),
        "picture black is the device's black (relative), or no light at all (absolute); default: "

@@ -1,10 +1,8 @@
 #include "tristim/pipeline/stage.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "lib/core/math.h"
-#include "tristim/color/oklab.h"
 #include "tristim/core/text.h"
 
 namespace tristim {
@@ -51,48 +49,22 @@ void apply_stage(const ConvertPrimaries& stage, Band band, StageCounts&) {
   });
 }
 
-// The slack below 0 is of the colour itself: a fixed one would turn the hue of dark colours.
-bool inside(const Eigen::Vector3d& rgb, double slack) {
-  return rgb.minCoeff() >= -slack * rgb.maxCoeff() && rgb.maxCoeff() <= 1 + slack;
-}
-
-// The largest chroma inside by halving: the neutral axis is inside, and gamuts are nearly
-// star-shaped around it.
-Eigen::Vector3d desaturated(const Eigen::Vector3d& device, const Eigen::Matrix3d& srgb_from_device,
-                            const Eigen::Matrix3d& device_from_srgb) {
-  const Eigen::Vector3d srgb = srgb_from_device * device;
-  const Oklab color = linear_srgb_to_oklab({srgb.x(), srgb.y(), srgb.z()});
-  const double l = std::clamp(color.l, 0.0, 1.0);
-  const auto at = [&](double part) -> Eigen::Vector3d {
-    const Rgb c = oklab_to_linear_srgb({l, color.a * part, color.b * part});
-    return device_from_srgb * Eigen::Vector3d(c.r, c.g, c.b);
-  };
-  constexpr double kSlack = 1e-4;  // below the step of 12 bits; the clip behind takes it away
-  double low = 0;
-  double high = 1;
-  if (inside(at(1), kSlack)) return at(1);
-  for (int i = 0; i < 20; ++i) {
-    const double middle = (low + high) / 2;
-    (inside(at(middle), kSlack) ? low : high) = middle;
-  }
-  return at(low);
-}
-
 void apply_stage(const GamutMap& stage, Band band, StageCounts& counts) {
-  const bool desaturate = stage.method == GamutMethod::kDesaturate;
-  const Eigen::Matrix3d device_from_srgb = stage.srgb_from_device.inverse();
+  const GamutSpace space = gamut_space(stage.srgb_from_device);
   std::uint64_t out_of_gamut = 0;
   std::uint64_t clipped = 0;
+  const bool clip = stage.method.map == gamut_clip;  // what follows does it anyway
   each_pixel(band, [&](float* p) {
     // Written so that the rows of an ordinary picture, all inside, stay a loop without jumps.
     const bool below = std::min({p[0], p[1], p[2]}) < 0;
     const bool above = std::max({p[0], p[1], p[2]}) > 1;
     out_of_gamut += below ? 1 : 0;
     clipped += above ? 1 : 0;
-    if (desaturate && (below || above)) {
-      const Eigen::Vector3d mapped =
-          desaturated({p[0], p[1], p[2]}, stage.srgb_from_device, device_from_srgb);
-      for (int c = 0; c < 3; ++c) p[c] = static_cast<float>(mapped[c]);
+    if (!clip && (below || above || !stage.method.keeps_inside)) {
+      const Rgb mapped = stage.method.map({p[0], p[1], p[2]}, space);
+      p[0] = static_cast<float>(mapped.r);
+      p[1] = static_cast<float>(mapped.g);
+      p[2] = static_cast<float>(mapped.b);
     }
     // In this order NaN, which an overflow before may have left, becomes 0.
     for (int c = 0; c < 3; ++c) p[c] = std::min(std::max(0.0F, p[c]), 1.0F);
@@ -146,14 +118,11 @@ StepReport explain_stage(const ConvertPrimaries& stage) {
 }
 
 StepReport explain_stage(const GamutMap& stage) {
-  for (const NamedGamutMethod& known : kGamutMethods) {
-    if (known.method != stage.method) continue;
-    return {"gamut map " + std::string(known.name),
-            std::string(known.formula),
-            std::string(known.source),
-            {}};
-  }
-  return {};
+  const GamutMethod& method = stage.method;
+  return {"gamut map " + std::string(method.name),
+          std::string(method.formula),
+          std::string(method.source),
+          {}};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr int kHeight = 70;
 std::vector<Stage> stages() {
   return {Exposure{0.5}, ToneMap{.white = 2},
           ConvertPrimaries{.matrix = rgb_from_rgb({}, {.white = kD50}, Adaptation::kBradford)},
-          GamutMap{GamutMethod::kDesaturate}};
+          GamutMap{kDesaturate}};
 }
 
 std::vector<std::uint16_t> codes_of(const Display& display, const ReduceOptions& reduce,

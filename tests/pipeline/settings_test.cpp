@@ -116,7 +116,7 @@ TEST(Settings, ChangeWhatTheyName) {
   EXPECT_EQ(set("background", "#ff0000").background, (EncodedRgb{1, 0, 0}));
   EXPECT_EQ(set("exposure", "-1.5").exposure_stops, -1.5);
   EXPECT_EQ(set("adapt", "none").adaptation, Adaptation::kNone);
-  EXPECT_EQ(set("gamut-map", "desaturate").gamut, GamutMethod::kDesaturate);
+  EXPECT_EQ(set("gamut-map", "desaturate").gamut.name, "desaturate");
   EXPECT_EQ(set("black-point", "absolute").black_point, BlackPoint::kAbsolute);
   EXPECT_EQ(set("dither", "Bayer_8").dither->name, "bayer8");
   EXPECT_EQ(set("serpentine", "true").serpentine, true);

@@ -28,7 +28,7 @@ Pixel applied(const Stage& stage, Pixel pixel, StageCounts* counts = nullptr) {
 
 // A device of other primaries than sRGB, so that the matrix in the stage counts.
 GamutMap desaturate_for(const Primaries& device) {
-  return {GamutMethod::kDesaturate, rgb_from_rgb({}, device, Adaptation::kBradford)};
+  return {kDesaturate, rgb_from_rgb({}, device, Adaptation::kBradford)};
 }
 
 TEST(Exposure, MultipliesByAPowerOfTwo) {
@@ -95,9 +95,9 @@ TEST(GamutMap, ClipsEachChannelAndCounts) {
 RC_GTEST_PROP(GamutMap, LeavesColoursInsideAloneToTheBit, ()) {
   const auto part = [] { return static_cast<float>(*rc::gen::inRange(0, 10001)) / 10000.0F; };
   const Pixel in{part(), part(), part()};
-  for (const NamedGamutMethod& method : kGamutMethods) {
+  for (const GamutMethod& method : kGamutMethods) {
     StageCounts counts;
-    RC_ASSERT(applied(GamutMap{method.method}, in, &counts) == in);
+    RC_ASSERT(applied(GamutMap{method}, in, &counts) == in);
     RC_ASSERT(counts == StageCounts{});
   }
 }
@@ -105,11 +105,11 @@ RC_GTEST_PROP(GamutMap, LeavesColoursInsideAloneToTheBit, ()) {
 TEST(GamutMap, LeavesNothingOutside) {
   const float odd[] = {-kInfinity, -1e30F,  -5,    -1e-9F, 0,         0.5F,
                        1,          1.0001F, 70000, 1e30F,  kInfinity, std::nanf("")};
-  for (const NamedGamutMethod& method : kGamutMethods) {
+  for (const GamutMethod& method : kGamutMethods) {
     for (const float r : odd) {
       for (const float g : odd) {
         for (const float b : odd) {
-          for (const float c : applied(GamutMap{method.method}, {r, g, b})) {
+          for (const float c : applied(GamutMap{method}, {r, g, b})) {
             ASSERT_TRUE(c >= 0 && c <= 1) << method.name << " " << r << " " << g << " " << b;
           }
         }
@@ -153,7 +153,7 @@ TEST(Desaturate, KeepsHueAndLightness) {
 }
 
 TEST(Desaturate, OverbrightBecomesWhiteAndBelowBlackBlack) {
-  const GamutMap stage{GamutMethod::kDesaturate};
+  const GamutMap stage{kDesaturate};
   for (const float c : applied(stage, {5, 5, 5})) EXPECT_NEAR(c, 1, 1e-5);
   for (const float c : applied(stage, {-1, -1, -1})) EXPECT_NEAR(c, 0, 1e-5);
 }
@@ -164,8 +164,8 @@ TEST(Explain, NamesEveryStageWithItsNumbers) {
   EXPECT_EQ(exposure.numbers[1], (std::pair<std::string, std::string>{"factor", "4"}));
   EXPECT_EQ(explain(ToneMap{.white = 8}).numbers[0].second, "8");
   EXPECT_EQ(explain(ConvertPrimaries{}).numbers.size(), 6U);
-  for (const NamedGamutMethod& method : kGamutMethods) {
-    EXPECT_EQ(explain(GamutMap{method.method}).name, "gamut map " + std::string(method.name));
+  for (const GamutMethod& method : kGamutMethods) {
+    EXPECT_EQ(explain(GamutMap{method}).name, "gamut map " + std::string(method.name));
   }
 }
 

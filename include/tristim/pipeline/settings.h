@@ -32,7 +32,7 @@ struct Settings {
   const ToneOperator* tone = nullptr;  // nullptr: none
   double tone_white = 0;
   Adaptation adaptation = Adaptation::kBradford;
-  GamutMethod gamut = GamutMethod::kClip;
+  GamutMethod gamut = kClip;
   BlackPoint black_point = BlackPoint::kRelative;
   const NamedDither* dither = nullptr;  // nullptr: what suits the device
   std::optional<bool> serpentine;       // empty: where a palette of colours is diffused to

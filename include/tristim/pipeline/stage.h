@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "tristim/color/gamut_map.h"
 #include "tristim/color/primaries.h"
 #include "tristim/image/view.h"
 
@@ -68,26 +69,9 @@ struct ConvertPrimaries {
   Adaptation adaptation = Adaptation::kBradford;
 };
 
-/// How colours outside of [0, 1] come inside.
-enum class GamutMethod {
-  kClip,        ///< each channel by itself
-  kDesaturate,  ///< towards the grey of the same lightness at constant hue, in Oklch
-};
-
-struct NamedGamutMethod {
-  std::string_view name;
-  GamutMethod method;
-  std::string_view formula;
-  std::string_view source;
-};
-inline constexpr NamedGamutMethod kGamutMethods[] = {
-    {"clip", GamutMethod::kClip, "each channel to [0, 1]", "[Shoaff 2.2.3]"},
-    {"desaturate", GamutMethod::kDesaturate,
-     "Oklch: largest chroma inside [0, 1] at the same lightness and hue", "[Ottosson20]"}};
-
 /// Brings colours into the device's gamut, and counts those that were outside.
 struct GamutMap {
-  GamutMethod method = GamutMethod::kClip;
+  GamutMethod method = kClip;
   Eigen::Matrix3d srgb_from_device = Eigen::Matrix3d::Identity();  // linear, for Oklab
 };
 
