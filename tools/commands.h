@@ -8,6 +8,8 @@ void run_process(Arguments arguments);
 void run_convert(Arguments arguments);
 void run_spectrum(Arguments arguments);
 void run_gamut(Arguments arguments);
+void run_compare(Arguments arguments);
+void run_palette(Arguments arguments);
 void run_levels(Arguments arguments);
 void run_device(Arguments arguments);
 void run_info(Arguments arguments);
@@ -23,6 +25,9 @@ inline constexpr Command kCommands[] = {
     {"spectrum", "NAME... [options]", "spectral tables and illuminants, as text or drawn",
      run_spectrum},
     {"gamut", "SET... [options]", "areas, coverage and diagrams of gamuts", run_gamut},
+    {"compare", "COLOR COLOR... [options]", "how different colours are", run_compare},
+    {"palette", "check FILE|COLORS... [options]", "check a palette by the guidelines for colour",
+     run_palette},
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
     {"device", "list|show|check [D...] [options]", "list, show and check devices", run_device},
     {"info", "FILE... [options]", "what a picture file is", run_info},

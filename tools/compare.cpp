@@ -1,0 +1,142 @@
+#include <unistd.h>
+
+#include "tools/commands.h"
+#include "tools/convert_rows.h"
+#include "tools/report.h"
+#include "tristim/color/conversion.h"
+#include "tristim/color/difference.h"
+#include "tristim/core/error.h"
+#include "tristim/core/file.h"
+#include "tristim/core/find.h"
+#include "tristim/core/text.h"
+
+namespace tristim::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Values = std::array<double, 3>;
+
+constexpr std::string_view kExamples =
+    "  tristim compare '#ff0000' '#fe0000'\n"
+    "  tristim compare --difference cmc:1.5:1 navy midnightblue\n"
+    "  tristim compare --from lab --difference ciede2000 50 2.5 0 61 -5 29\n"
+    "  printf '50 0 0\\n51 0 0\\n' | tristim compare --from lab --json\n"
+    "  tristim compare --list\n";
+
+struct Options {
+  std::string from = "rgb:srgb", difference;
+  std::vector<std::string> words;
+  bool json = false, list = false;
+};
+
+void list_formulas(bool json) {
+  Json all = Json::array();
+  std::string text;
+  for (const DifferenceFormula& formula : kDifferenceFormulas) {
+    const std::string_view reference =
+        formula.symmetric ? "symmetric" : "the first is the reference";
+    all.push_back({{"difference", formula.name},
+                   {"of", formula.model},
+                   {"symmetric", formula.symmetric},
+                   {"factors", formula.factor_count},
+                   {"formula", formula.formula},
+                   {"source", formula.source}});
+    std::string name(formula.name);
+    name.resize(16, ' ');
+    text += name + std::string(formula.formula) + "; " + std::string(reference) + " " +
+            std::string(formula.source) + "\n";
+  }
+  print(json ? json_line(all) : text);
+}
+
+std::vector<ColorRow> read_colors(const Options& options, const ModelReference& from) {
+  if (!options.words.empty()) return read_color_arguments(options.words, from);
+  if (isatty(STDIN_FILENO) == 1) {
+    throw Error(ErrorKind::kMisuse, "compare", "no colours are given",
+                "give two, or pipe rows into standard input");
+  }
+  return read_color_rows(read_text_file("-"), "standard input", from);
+}
+
+// A difference of the list, with the way to the model that it is measured in.
+struct Measure {
+  DifferenceReference difference;
+  ColorConversion conversion;
+
+  double operator()(const ColorRow& reference, const ColorRow& sample) const {
+    const Components a = conversion(reference.values);
+    const Components b = conversion(sample.values);
+    return difference(Values{a[0], a[1], a[2]}, Values{b[0], b[1], b[2]});
+  }
+};
+
+std::vector<Measure> measures_of(const Options& options, const ModelReference& from) {
+  std::vector<DifferenceReference> wanted;
+  if (!options.difference.empty()) {
+    wanted.push_back(parse_difference(options.difference, "--difference"));
+  } else {
+    for (const DifferenceFormula& f : kDifferenceFormulas) wanted.push_back({&f, f.factors});
+  }
+  std::vector<Measure> measures;
+  for (const DifferenceReference& difference : wanted) {
+    const ModelReference model = parse_model(difference.formula->model, "--difference");
+    measures.push_back({difference, ColorConversion(from, model, Adaptation::kBradford)});
+  }
+  return measures;
+}
+
+std::string line_of(const Measure& measure, double difference, bool only_one) {
+  std::string name;
+  if (!only_one) {
+    name = measure.difference.formula->name;
+    name.resize(16, ' ');
+  }
+  return name + shortest(difference) + "\n";
+}
+
+void compare(const Options& options) {
+  const ModelReference from = parse_model(options.from, "--from");
+  const std::vector<Measure> measures = measures_of(options, from);
+  const std::vector<ColorRow> colors = read_colors(options, from);
+  if (colors.empty() || colors.size() % 2 != 0) {
+    throw Error(ErrorKind::kContent, "compare",
+                std::to_string(colors.size()) + " colours are no pairs",
+                "give two colours for each difference");
+  }
+  Json pairs = Json::array();
+  std::string text;
+  for (std::size_t i = 0; i < colors.size(); i += 2) {
+    Json pair;
+    if (i > 0 && measures.size() > 1) text += "\n";
+    for (const Measure& measure : measures) {
+      const double difference = measure(colors[i], colors[i + 1]);
+      pair[std::string(measure.difference.formula->name)] = number_json(difference);
+      text += line_of(measure, difference, measures.size() == 1);
+    }
+    pairs.push_back(pair);
+  }
+  print(options.json ? json_line(Json{{"from", options.from}, {"pairs", pairs}}) : text);
+}
+
+}  // namespace
+
+void run_compare(Arguments arguments) {
+  Options options;
+  CommandLine line(*find_by_name(kCommands, "compare"), kExamples);
+  line.positional("COLORS...",
+                  "pairs of a reference and a sample: numbers, #rrggbb, CSS names; without any: "
+                  "rows of standard input, a colour each",
+                  options.words, 0, 1 << 20);
+  line.option("--from", "MODEL", "of the numbers; default: rgb:srgb", options.from);
+  line.option("--difference", "NAME",
+              list_names(kDifferenceFormulas, "|") +
+                  ", with factors as in ciede2000:L:C:H and cmc:L:C; default: all",
+              options.difference);
+  line.flag("--json", "print the differences as JSON", options.json);
+  line.flag("--list", "print the differences with their formulas and sources", options.list);
+  if (!line.parse(arguments)) return;
+  if (options.list) return list_formulas(options.json);
+  compare(options);
+}
+
+}  // namespace tristim::tools

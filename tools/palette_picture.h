@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "tristim/color/rgb.h"
+#include "tristim/palette/guidelines.h"
+
+namespace tristim::tools {
+
+/// A colour of 8 bits a channel, named "#rrggbb".
+ChartColor chart_color(EncodedRgb color);
+
+/// The colours of a picture, over black where it is transparent: all of them where there are up to
+/// 64, else 16 of median cut; with their pixels, and which touch. Throws as open_picture does.
+Chart picture_chart(const std::string& path);
+
+}  // namespace tristim::tools
