@@ -20,6 +20,7 @@ struct ScalarLanes {
   static D d(double x) noexcept { return x; }
   static D load_wide(const float* from) noexcept { return *from; }
   static F narrow(D x) noexcept { return static_cast<float>(x); }
+  static D widen(F x) noexcept { return x; }
 
   // As SSE's instructions: the second where one of them is NaN.
   template <typename T>
@@ -41,7 +42,7 @@ struct ScalarLanes {
   }
 
   /// a 2^-e with e, a whole number that brings it near to b: their ratio is within 2^+-.59. Both
-  /// are positive and no subnormals.
+  /// are positive and no subnormals; 0 counts as the power of 2 below the least of them.
   static D scale_near(D a, D b, D& e) noexcept {
     constexpr std::uint64_t kHalf = std::uint64_t{1} << 51;
     constexpr std::uint64_t kExponents = ~((std::uint64_t{1} << 52) - 1);
@@ -52,6 +53,15 @@ struct ScalarLanes {
     const std::uint64_t biased = ((shift + kBias) >> 52) | std::bit_cast<std::uint64_t>(0x1p52);
     e = std::bit_cast<double>(biased) - (0x1p52 + 1024);
     return std::bit_cast<double>(bits - shift);
+  }
+
+  static F scale_near(F a, F b, F& e) noexcept {
+    constexpr std::uint32_t kHalf = std::uint32_t{1} << 22;
+    constexpr std::uint32_t kExponents = ~((std::uint32_t{1} << 23) - 1);
+    const auto bits = std::bit_cast<std::uint32_t>(a);
+    const std::uint32_t shift = (bits - std::bit_cast<std::uint32_t>(b) + kHalf) & kExponents;
+    e = static_cast<float>(std::bit_cast<std::int32_t>(shift) >> 23);
+    return std::bit_cast<float>(bits - shift);
   }
 
   /// The whole number nearest to |x| < 2^22 or to |x| < 2^51: a sum without digits behind the

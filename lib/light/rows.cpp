@@ -86,13 +86,14 @@ void check_sizes(const SurfaceRows& s, const LightRows& out) {
 // The part that differs between the models.
 void set_lobe(RowConstants& c, const RowShading& shading) {
   const Material& material = shading.material;
-  c.exponent = material.n / 2;
+  c.exponent = exponent_of(material.n / 2);
   if (shading.model.name == kPhongRows.name) c.lobe = RowLobe::kPhong;
   if (shading.model.name == kBlinnPhongRows.name) c.lobe = RowLobe::kBlinnPhong;
   if (shading.model.name != kCookTorranceRows.name) return;
   const double m2 = shading.m * shading.m;
   c.lobe = RowLobe::kCookTorrance;
-  c.exponent = -kLog2E / m2;
+  c.tangent_scale = -kLog2E / m2;
+  c.tangent_unscale = static_cast<float>(-m2 / kLog2E);
   c.eta2_minus_1 = static_cast<float>((shading.eta - 1) * (shading.eta + 1));
   c.lobe_scale = static_cast<float>(1 / (4 * kPi * m2));
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lib/core/exponent.h"
 #include "tristim/light/rows.h"
 
 namespace tristim::detail {
@@ -27,9 +28,11 @@ struct RowConstants {
   std::vector<RowLight> lights;
   double eye_x = 0, eye_y = 0, eye_z = 0;
   bool local_viewer = true;
-  double exponent = 0;     // n/2, of (R.V)^2 or (N.H)^2; Cook-Torrance: -log2(e)/m^2, of tan^2 b
-  float eta2_minus_1 = 0;  // eta^2 - 1
-  float lobe_scale = 0;    // 1/(4 pi m^2) for Cook-Torrance
+  Exponent exponent;          // n/2, of (R.V)^2 and (N.H)^2
+  double tangent_scale = 0;   // -log2(e)/m^2, of tan^2 b in Beckmann's exponential
+  float tangent_unscale = 0;  // its reciprocal
+  float eta2_minus_1 = 0;     // eta^2 - 1
+  float lobe_scale = 0;       // 1/(4 pi m^2) for Cook-Torrance
   float ambient_r = 0, ambient_g = 0, ambient_b = 0;  // ka Ia Od
 };
 

@@ -1,15 +1,41 @@
 // The rows of rows.h, written once for one sample and for vectors; see lib/core/power-inl.h on how
 // such files are included. Directions are not normalised: l = p - P and v = eye - P keep their
 // lengths, and the cosines are ratios of sums of products, in double where they could cancel.
+// Divisions, roots and logarithms are float: they take a processor many times as long in double.
 
 constexpr double kNothing = -1000;  // log2 of what comes out as 0
+
+// A length |a| within 1e-9 and 1e9: products of two squares are floats too.
+template <class L>
+struct Length {
+  using F = typename L::F;
+  F squared, length, inverse;
+};
+
+template <class L>
+HWY_INLINE Length<L> length_of(typename L::D squared) {
+  Length<L> a;
+  a.squared = L::min(L::max(L::narrow(squared), L::f(1e-18F)), L::f(1e18F));
+  a.length = L::root(a.squared);
+  a.inverse = L::f(1) / a.length;
+  return a;
+}
 
 // Samples as seen from the eye.
 template <class L>
 struct Seen {
   using D = typename L::D;
   D px, py, pz, nx, ny, nz, vx, vy, vz;
-  D nv, vv;  // n.v, v.v
+  D nv, nv2, vv;  // n.v, 2 n.v, v.v
+  Length<L> v;
+};
+
+// A direction to a light.
+template <class L>
+struct Towards {
+  using D = typename L::D;
+  D nl, ll, lv;  // n.l, l.l, l.v
+  Length<L> l;
 };
 
 template <class L>
@@ -36,82 +62,142 @@ HWY_INLINE Seen<L> seen_at(const RowConstants& c, const SurfaceRows& s, std::siz
     at.vz = at.vz - at.pz;
   }
   at.nv = dot3<L>(at.nx, at.ny, at.nz, at.vx, at.vy, at.vz);
+  at.nv2 = at.nv + at.nv;
   at.vv = dot3<L>(at.vx, at.vy, at.vz, at.vx, at.vy, at.vz);
+  at.v = length_of<L>(at.vv);
   return at;
 }
 
-// log2 of (R.V)^n. (R.V)^2 = (2 (n.l)(n.v) - l.v)^2 / (l.l v.v).
 template <class L>
-HWY_INLINE typename L::D phong_power(const RowConstants& c, const Seen<L>& at, typename L::D nl,
-                                     typename L::D lv, typename L::D ll) {
+HWY_INLINE Towards<L> towards(const RowLight& light, const Seen<L>& at) {
   using D = typename L::D;
-  const D product = nl * at.nv;
-  const D rv = (product + product) - lv;
-  const D power = log2_of_ratio<L>(rv * rv, ll * at.vv) * L::d(c.exponent);
-  return L::where_positive(rv, power, L::d(kNothing));
+  D lx = L::d(light.x);
+  D ly = L::d(light.y);
+  D lz = L::d(light.z);
+  if (!light.directional) {
+    lx = lx - at.px;
+    ly = ly - at.py;
+    lz = lz - at.pz;
+  }
+  Towards<L> to;
+  to.nl = dot3<L>(at.nx, at.ny, at.nz, lx, ly, lz);
+  to.ll = dot3<L>(lx, ly, lz, lx, ly, lz);
+  to.lv = dot3<L>(lx, ly, lz, at.vx, at.vy, at.vz);
+  to.l = length_of<L>(to.ll);
+  return to;
+}
+
+// (R.V)^n. (R.V)^2 = (2 (n.l)(n.v) - l.v)^2 / (l.l v.v).
+template <class L>
+HWY_INLINE typename L::F phong_lobe(const RowConstants& c, const Seen<L>& at,
+                                    const Towards<L>& to) {
+  using D = typename L::D;
+  using F = typename L::F;
+  const D rv = L::max(to.nl * at.nv2 - to.lv, L::d(0));
+  const F above = L::narrow(rv * rv);
+  const F below = to.l.squared * at.v.squared;
+  return L::where_positive(above, power_of_ratio<L>(L::min(above, below), below, c.exponent),
+                           L::f(0));
 }
 
 // |l + v| lengthens to both: (N.H)^2 = (n.l |v| + n.v |l|)^2 / (2 u (u + l.v)), u = |l||v|.
 template <class L>
 struct HalfVector {
   using D = typename L::D;
+  using F = typename L::F;
   D above, below;  // the fraction
-  D u, w;          // w = u + l.v = u (1 + L.V)
+  F vh2;           // (V.H)^2 = (u + l.v) / (2 u)
 };
 
 template <class L>
-HWY_INLINE HalfVector<L> half_vector_of(const Seen<L>& at, typename L::D nl, typename L::D lv,
-                                        typename L::D ll) {
+HWY_INLINE HalfVector<L> half_vector_of(const Seen<L>& at, const Towards<L>& to) {
   using D = typename L::D;
+  using F = typename L::F;
+  // A step of Newton's from u in single precision to nearly all digits of a double.
+  const F half_inverse = L::f(0.5F) * (to.l.inverse * at.v.inverse);
+  const D rough = L::widen(to.l.length * at.v.length);
+  const D u = rough + (to.ll * at.vv - rough * rough) * L::widen(half_inverse);
+  const D w = u + to.lv;
   HalfVector<L> h;
-  h.u = L::root(ll * at.vv);
-  h.w = h.u + lv;
-  const D mixed = nl * at.nv * h.u;
-  h.above = nl * nl * at.vv + (mixed + mixed) + at.nv * at.nv * ll;
-  h.below = L::max((h.u + h.u) * h.w, L::d(1e-300));
+  h.above = to.nl * (to.nl * at.vv + at.nv2 * u) + at.nv * at.nv * to.ll;
+  h.below = (u + u) * w;
+  h.vh2 = L::max(L::narrow(w) * half_inverse, L::f(1e-20F));
   return h;
 }
 
-// log2 of (N.H)^n; N.L is above 0 where it counts.
+// (N.H)^n; N.L is above 0 where it counts.
 template <class L>
-HWY_INLINE typename L::D blinn_power(const RowConstants& c, const Seen<L>& at,
-                                     const HalfVector<L>& h, typename L::D nl, typename L::D ll) {
+HWY_INLINE typename L::F blinn_lobe(const RowConstants& c, const Seen<L>& at,
+                                    const Towards<L>& to) {
   using D = typename L::D;
-  const D power = log2_of_ratio<L>(h.above, h.below) * L::d(c.exponent);
-  const D sign = nl * nl * at.vv + at.nv * L::max(at.nv, L::d(0) - at.nv) * ll;
-  return L::where_positive(sign, power, L::d(kNothing));
+  using F = typename L::F;
+  const HalfVector<L> h = half_vector_of<L>(at, to);
+  const F below = L::min(L::max(L::narrow(h.below), L::f(1e-37F)), L::f(1e37F));
+  const F power = power_of_ratio<L>(L::min(L::narrow(h.above), below), below, c.exponent);
+  const D behind = L::max(at.nv, L::d(0) - at.nv) * at.nv;
+  return L::where_positive(L::narrow(to.nl * to.nl * at.vv + behind * to.ll), power, L::f(0));
 }
 
-// Of a dielectric: 1/2 ((g-c)/(g+c))^2 (1 + ((c(g+c)-1)/(c(g-c)+1))^2), g^2 = eta^2 - 1 + c^2
-// [Cook82]; g - c = (eta^2 - 1)/(g + c) keeps its digits for eta near 1. 1 at total reflection.
+// F/(V.H)^2 of a dielectric: F = 1/2 ((g-c)/(g+c))^2 (1 + ((c(g+c)-1)/(c(g-c)+1))^2),
+// g^2 = eta^2 - 1 + c^2 [Cook82]; g - c = (eta^2 - 1)/(g + c) keeps its digits for eta near 1. All
+// fractions by one division. F is 1 at total reflection.
 template <class L>
-HWY_INLINE typename L::F fresnel_of(const RowConstants& c, typename L::F cosine2) {
+struct Fresnel {
+  typename L::F reflected, inverse_vh2;
+};
+
+template <class L>
+HWY_INLINE Fresnel<L> fresnel_of(const RowConstants& c, typename L::F vh2) {
   using F = typename L::F;
-  const F g2 = L::f(c.eta2_minus_1) + cosine2;
-  const F cosine = L::root(cosine2);
+  const F k = L::f(c.eta2_minus_1);
+  const F g2 = k + vh2;
+  const F cosine = L::root(vh2);
   const F sum = L::root(L::max(g2, L::f(0))) + cosine;
-  const F difference = L::f(c.eta2_minus_1) / sum;
-  const F a = difference / sum;
-  const F b = (cosine * sum - L::f(1)) / (cosine * difference + L::f(1));
-  return L::where_positive(g2, L::f(0.5F) * (a * a) * (b * b + L::f(1)), L::f(1));
+  const F sum2 = sum * sum;
+  const F b_below = cosine * k + sum;
+  const F bottom = sum2 * b_below;
+  const F inverse = L::f(1) / (bottom * vh2);
+  const F a = k * b_below * vh2 * inverse;
+  const F b = (cosine * sum2 - sum) * sum2 * vh2 * inverse;
+  return {L::where_positive(g2, L::f(0.5F) * (a * a) * (b * b + L::f(1)), L::f(1)),
+          bottom * inverse};
 }
 
-// Beckmann's exponential exp(-(tan b / m)^2) times F G / (4 pi m^2 cos^4 b N.V); 0 where the eye is
-// behind the surface.
+// Beckmann's exponential exp(-(tan b / m)^2) and 1/cos^2 b.
 template <class L>
-HWY_INLINE typename L::F cook_torrance_lobe(const RowConstants& c, const HalfVector<L>& h,
-                                            typename L::F n_dot_l, typename L::F n_dot_v) {
+struct Beckmann {
+  typename L::F exponential, sec2;
+};
+
+template <class L>
+HWY_INLINE Beckmann<L> beckmann_of(const RowConstants& c, const HalfVector<L>& h) {
   using D = typename L::D;
   using F = typename L::F;
-  const D sec2 = L::min(h.below / h.above, L::d(1e15));  // 1/(N.H)^2
-  const F exponential = exp2_of<L>(L::min((sec2 - L::d(1)) * L::d(c.exponent), L::d(0)));
-  const F sec2_f = L::narrow(sec2);
-  const F vh2 = L::narrow(h.w) / L::narrow(h.u + h.u);  // (V.H)^2
+  // log2 of it is a fraction, in two floats: the second is what the first leaves of it.
+  const F below = L::max(L::narrow(h.above), L::f(1e-37F));
+  const F inverse = L::f(1) / below;
+  const D above = (h.below - h.above) * L::d(c.tangent_scale);
+  const F power = L::max(L::min(L::narrow(above) * inverse, L::f(0)), L::f(-1000));
+  const F left = L::narrow(above - L::widen(power) * h.above) * inverse;
+  const F whole = L::whole(power);
+  const F part = (power - whole) + L::max(L::min(left, L::f(1)), L::f(-1));
+  return {exp2_of_parts<L>(whole, part), L::f(1) + power * L::f(c.tangent_unscale)};
+}
+
+// D F G / (4 N.V), D = exp(-(tan b / m)^2) / (pi m^2 cos^4 b), G = min(1, (N.L + N.V) min(N.L, N.V)
+// / (V.H)^2); 0 behind the surface.
+template <class L>
+HWY_INLINE typename L::F cook_torrance_lobe(const RowConstants& c, const Seen<L>& at,
+                                            const Towards<L>& to, typename L::F n_dot_l,
+                                            typename L::F n_dot_v) {
+  using F = typename L::F;
+  const HalfVector<L> h = half_vector_of<L>(at, to);
+  const Beckmann<L> d = beckmann_of<L>(c, h);
+  const Fresnel<L> f = fresnel_of<L>(c, h.vh2);
   const F nv = L::max(n_dot_v, L::f(1e-30F));
-  const F masked = L::min(n_dot_l, nv) / L::root(sec2_f * vh2);
-  const F g = L::min(masked + masked, L::f(1));
-  const F factor = fresnel_of<L>(c, vh2) * g * (sec2_f * sec2_f) * L::f(c.lobe_scale) / nv;
-  return L::where_positive(n_dot_v, exponential * factor, L::f(0));
+  const F g = L::min((n_dot_l + nv) * L::min(n_dot_l, nv) * f.inverse_vh2, L::f(1));
+  const F factor = f.reflected * g * (d.sec2 * d.sec2) * (L::f(c.lobe_scale) / nv);
+  return L::where_positive(L::min(n_dot_l, n_dot_v), d.exponential * factor, L::f(0));
 }
 
 template <class L>
@@ -132,45 +218,24 @@ struct Reflected {
   typename L::F r, g, b;
 };
 
-// The lobe of one light: l, n.l, l.l and the two cosines of the float part.
 template <class L, RowLobe kLobe>
-HWY_INLINE typename L::F lobe_of(const RowConstants& c, const Seen<L>& at, typename L::D nl,
-                                 typename L::D lv, typename L::D ll, typename L::F n_dot_l,
-                                 typename L::F n_dot_v) {
-  if constexpr (kLobe == RowLobe::kPhong) return exp2_of<L>(phong_power<L>(c, at, nl, lv, ll));
-  const HalfVector<L> h = half_vector_of<L>(at, nl, lv, ll);
-  if constexpr (kLobe == RowLobe::kBlinnPhong) {
-    return exp2_of<L>(blinn_power<L>(c, at, h, nl, ll));
-  }
-  return cook_torrance_lobe<L>(c, h, n_dot_l, n_dot_v);
-}
-
-template <class L>
-HWY_INLINE typename L::F length_of(typename L::D squared) {
-  return L::root(L::min(L::max(L::narrow(squared), L::f(1e-36F)), L::f(1e36F)));
+HWY_INLINE typename L::F lobe_of(const RowConstants& c, const Seen<L>& at, const Towards<L>& to,
+                                 typename L::F n_dot_l, typename L::F n_dot_v) {
+  if constexpr (kLobe == RowLobe::kPhong) return phong_lobe<L>(c, at, to);
+  if constexpr (kLobe == RowLobe::kBlinnPhong) return blinn_lobe<L>(c, at, to);
+  return cook_torrance_lobe<L>(c, at, to, n_dot_l, n_dot_v);
 }
 
 template <class L, RowLobe kLobe>
 HWY_INLINE void add_light(const RowConstants& c, const RowLight& light, const Seen<L>& at,
                           typename L::F n_dot_v, Reflected<L>& sum) {
-  using D = typename L::D;
   using F = typename L::F;
-  D lx = L::d(light.x);
-  D ly = L::d(light.y);
-  D lz = L::d(light.z);
-  if (!light.directional) {
-    lx = lx - at.px;
-    ly = ly - at.py;
-    lz = lz - at.pz;
-  }
-  const D nl = dot3<L>(at.nx, at.ny, at.nz, lx, ly, lz);
-  const D ll = dot3<L>(lx, ly, lz, lx, ly, lz);
-  F n_dot_l = L::narrow(nl);
+  const Towards<L> to = towards<L>(light, at);
+  F n_dot_l = L::narrow(to.nl);
   F f_att = L::f(1);
   if (!light.directional) {
-    const F distance = length_of<L>(ll);
-    n_dot_l = n_dot_l / distance;
-    if (light.attenuated) f_att = attenuation_of<L>(light, distance);
+    n_dot_l = n_dot_l * to.l.inverse;
+    if (light.attenuated) f_att = attenuation_of<L>(light, to.l.length);
   }
   f_att = L::where_positive(n_dot_l, f_att, L::f(0));
   const F diffuse = n_dot_l * f_att;
@@ -178,9 +243,8 @@ HWY_INLINE void add_light(const RowConstants& c, const RowLight& light, const Se
   sum.g = sum.g + L::f(light.diffuse_g) * diffuse;
   sum.b = sum.b + L::f(light.diffuse_b) * diffuse;
   if constexpr (kLobe != RowLobe::kNone) {
-    const D lv = dot3<L>(lx, ly, lz, at.vx, at.vy, at.vz);
-    const F lobe = lobe_of<L, kLobe>(c, at, nl, lv, ll, n_dot_l, n_dot_v);
-    const F specular = L::where_positive(f_att, lobe * f_att, L::f(0));
+    const F lobe = lobe_of<L, kLobe>(c, at, to, n_dot_l, n_dot_v);
+    const F specular = lobe * f_att;
     sum.r = sum.r + L::f(light.specular_r) * specular;
     sum.g = sum.g + L::f(light.specular_g) * specular;
     sum.b = sum.b + L::f(light.specular_b) * specular;
@@ -191,12 +255,8 @@ HWY_INLINE void add_light(const RowConstants& c, const RowLight& light, const Se
 template <class L, RowLobe kLobe>
 HWY_INLINE void shade_at(const RowConstants& c, const SurfaceRows& surface, std::size_t i,
                          const LightRows& out) {
-  using F = typename L::F;
   const Seen<L> at = seen_at<L>(c, surface, i);
-  F n_dot_v = L::f(0);
-  if constexpr (kLobe == RowLobe::kCookTorrance) {
-    n_dot_v = L::narrow(at.nv) / length_of<L>(at.vv);
-  }
+  const typename L::F n_dot_v = L::narrow(at.nv) * at.v.inverse;
   Reflected<L> sum{L::f(c.ambient_r), L::f(c.ambient_g), L::f(c.ambient_b)};
   for (const RowLight& light : c.lights) add_light<L, kLobe>(c, light, at, n_dot_v, sum);
   L::store(sum.r, out.r.data() + i);

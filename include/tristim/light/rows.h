@@ -16,11 +16,11 @@ namespace tristim {
 //
 //     2e-6 + 1.1e-7 n    relative to each light's diffuse and specular part,
 //
-// n the exponent (2/m^2 for Cook-Torrance), since it amplifies the error of the cosine. Sums of dot
-// products and the logarithm are kept in double, so that this holds at grazing angles too.
+// n the exponent (2/m^2 for Cook-Torrance), since it amplifies the error of the cosine. Dot
+// products are double, so that this holds at grazing angles too; what follows them is float.
 
 /// Points of a surface with their unit normals, each coordinate a row of its own; six rows of the
-/// same length. Distances to lights and eye between 1e-15 and 1e15.
+/// same length. Distances to lights and eye between 1e-9 and 1e9.
 struct SurfaceRows {
   std::span<const float> x, y, z;     // the points
   std::span<const float> nx, ny, nz;  // the normals
