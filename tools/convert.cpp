@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tools/commands.h"
+#include "tools/convert_gamut.h"
 #include "tools/convert_list.h"
 #include "tools/convert_picture.h"
 #include "tools/convert_print.h"
@@ -24,6 +25,7 @@ constexpr std::string_view kExamples =
     "  tristim convert --from rgb:ntsc1953 --to yiq:fcc1953 1 0.5 0 --explain\n"
     "  tristim convert --from lab@d50 --to rgb:display-p3/gamma2.2 60 40 -20\n"
     "  tristim convert --from rgb:0.63,0.34,0.31,0.595,0.155,0.07,0.3127,0.329 --to hsv 1 0.5 0\n"
+    "  tristim convert --from linear:bt2020 --to rgb:srgb --gamut-map desaturate 0 1 0\n"
     "  tristim convert --to cmyk:normalised:gcr=0.5:limit=3 navy\n"
     "  tristim convert --mix hsv --arc longer --steps 5 --to rgb red lime\n"
     "  printf '0.2 0.3 0.4  # a row\\n1,1,1\\n' | tristim convert --from linear:bt2020 --to xyy\n"
@@ -44,6 +46,7 @@ constexpr std::string_view kExamples =
 struct Options {
   PrintOptions print{.from = {}, .to = {}};
   Adaptation adaptation = Adaptation::kBradford;
+  std::optional<GamutMethod> gamut_map;
   std::vector<std::string> words;
   std::string input;
   std::string output;
@@ -87,6 +90,11 @@ void declare(CommandLine& line, Options& options) {
   line.option("--adapt", list_names(kAdaptations, "|"), "from white to white; default: bradford",
               [&](const std::string& v) {
                 options.adaptation = chosen(kAdaptations, "--adapt", "adaptation", v).method;
+              });
+  line.option("--gamut-map", list_names(kGamutMethods, "|"),
+              "colours outside the gamut of --to, a model of RGB; default: they stay outside",
+              [&](const std::string& v) {
+                options.gamut_map = chosen(kGamutMethods, "--gamut-map", "gamut map", v);
               });
   line.flag("--explain", "print the way between the models, and each colour on it, first",
             options.print.explain);
@@ -171,6 +179,9 @@ PictureJob picture_job(const Options& options) {
     throw Error(ErrorKind::kMisuse, "--output", "takes one picture to convert",
                 "give IN.exr -o OUT.exr, or leave out -o for colours");
   }
+  if (options.gamut_map) {
+    throw Error(ErrorKind::kMisuse, "--gamut-map", "is for colours", "use process for pictures");
+  }
   return {.input = options.words[0],
           .output = options.output,
           .from = options.print.from,
@@ -235,11 +246,19 @@ void convert(Options& options) {
   if (!options.diagram.output.empty()) draw(source, options);
   if (options.print.to.empty() || options.diagram.output == "-") return;
   if (same_name(options.print.to, "all")) {
+    if (options.gamut_map) {
+      throw Error(ErrorKind::kMisuse, "--gamut-map", "'all' models have no gamut",
+                  "give colours and --to a model of RGB");
+    }
     return print_all_models(source.rows, source.model, options.adaptation, options.print);
   }
   const ColorConversion conversion(source.model, parse_model(options.print.to, "--to"),
                                    options.adaptation);
-  print_colors(source.rows, conversion, options.print);
+  std::optional<GamutMapping> gamut;
+  if (options.gamut_map) {
+    gamut.emplace(source.model, conversion, options.adaptation, *options.gamut_map);
+  }
+  print_colors(source.rows, conversion, gamut ? &*gamut : nullptr, options.print);
 }
 
 }  // namespace

@@ -55,15 +55,53 @@ void refuse_none(const ConversionStep& step, const Components& before, const Com
               why(before));
 }
 
-std::vector<Station> way_of(const Components& color, const ColorConversion& conversion) {
-  std::vector<Station> way{{&conversion.from(), color}};
+void go_on(std::vector<Station>& way, const ColorConversion& conversion) {
+  const bool defined = !has_nan(way.back().values);
   for (const ConversionStep& step : conversion.steps()) {
-    const Components& before = way.back().values;
+    const Components before = way.back().values;
     const Components after = step.apply(before, step.context);
-    if (!has_nan(color)) refuse_none(step, before, after);
+    if (defined) refuse_none(step, before, after);
     way.push_back({step.to, after});
   }
+}
+
+std::vector<Station> way_of(const Components& color, const ColorConversion& conversion) {
+  std::vector<Station> way{{&conversion.from(), color}};
+  go_on(way, conversion);
   return way;
+}
+
+// Colours on their way, and how many of them were brought inside.
+struct GamutCount {
+  const GamutMapping* mapping = nullptr;  // nullptr: none is
+  std::size_t outside = 0, changed = 0;
+};
+
+std::vector<Station> way_of(const Components& color, const ColorConversion& conversion,
+                            GamutCount& gamut) {
+  if (gamut.mapping == nullptr) return way_of(color, conversion);
+  std::vector<Station> way = way_of(color, gamut.mapping->to_light());
+  const Components& light = way.back().values;
+  const auto mapped = (*gamut.mapping)(light);
+  if (!has_nan(light) && !in_gamut({light[0], light[1], light[2]})) ++gamut.outside;
+  if (!mapped) return way_of(color, conversion);
+  ++gamut.changed;
+  way.push_back({&gamut.mapping->from_light().from(), *mapped});
+  go_on(way, gamut.mapping->from_light());
+  return way;
+}
+
+void say_count(const GamutCount& gamut, std::size_t colors) {
+  const std::string outside = std::to_string(gamut.outside) + " of " + std::to_string(colors) +
+                              (colors == 1 ? " colour" : " colours") + " outside the gamut";
+  note("note: " + outside + ", " + std::to_string(gamut.changed) + " changed by " +
+       std::string(gamut.mapping->method().name));
+}
+
+std::string step_text(const GamutMethod& method) {
+  return "gamut map " + std::string(method.name) +
+         ", between linear and linear: " + std::string(method.formula) + " " +
+         std::string(method.source);
 }
 
 std::string way_text(const std::vector<Station>& way, bool odd) {
@@ -85,8 +123,13 @@ Json way_json(const std::vector<Station>& way) {
 }
 
 std::vector<std::string> explained_steps(const ColorConversion& conversion,
-                                         const PrintOptions& options) {
+                                         const GamutMapping* gamut, const PrintOptions& options) {
   std::vector<std::string> steps = conversion.explain();
+  if (gamut != nullptr) {
+    steps = gamut->to_light().explain();
+    steps.push_back(step_text(gamut->method()));
+    for (std::string& step : gamut->from_light().explain()) steps.push_back(std::move(step));
+  }
   if (!options.origin.empty()) steps.insert(steps.begin(), options.origin);
   return steps;
 }
@@ -105,24 +148,31 @@ std::vector<ColorConversion> all_conversions(const ModelReference& from, Adaptat
 }  // namespace
 
 void print_colors(std::span<const ColorRow> rows, const ColorConversion& conversion,
-                  const PrintOptions& options) {
+                  const GamutMapping* gamut, const PrintOptions& options) {
+  const std::vector<std::string> steps = explained_steps(conversion, gamut, options);
+  GamutCount count{.mapping = gamut};
   Json colors = Json::array();
   Json ways = Json::array();
   std::string text;
   std::string explanation;
-  for (const std::string& step : explained_steps(conversion, options)) explanation += step + "\n";
+  for (const std::string& step : steps) explanation += step + "\n";
   for (const ColorRow& row : rows) {
-    const std::vector<Station> way = way_of(row.values, conversion);
+    const std::vector<Station> way = way_of(row.values, conversion, count);
     const Components& out = way.back().values;
     explanation += options.explain && !options.json ? way_text(way, row.odd) : "";
     if (options.json && options.explain) ways.push_back(way_json(way));
     if (options.json) colors.push_back(color_json(conversion.to(), out));
     text += color_text(conversion.to(), out, row.odd) + "\n";
   }
+  if (gamut != nullptr) say_count(count, rows.size());
   if (!options.json) return print(options.explain ? explanation + text : text);
   Json json{{"from", options.from}, {"to", options.to}, {"rows", colors}};
+  if (gamut != nullptr) {
+    json["gamut_map"] = {
+        {"method", gamut->method().name}, {"outside", count.outside}, {"changed", count.changed}};
+  }
   if (!options.origin.empty()) json[options.from] = options.origin_facts;
-  if (options.explain) json["steps"] = explained_steps(conversion, options);
+  if (options.explain) json["steps"] = steps;
   if (options.explain) json["ways"] = ways;
   print(json_line(json));
 }

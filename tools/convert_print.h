@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "tools/convert_gamut.h"
 #include "tools/convert_rows.h"
 #include "tristim/color/conversion.h"
 
@@ -21,9 +22,10 @@ struct PrintOptions {
   nlohmann::ordered_json origin_facts = {};
 };
 
-/// Prints the converted colours, one a line, or one JSON object.
+/// Prints the converted colours, one a line, or one JSON object. With `gamut` those outside are
+/// brought inside, and a note says how many were.
 void print_colors(std::span<const ColorRow> rows, const ColorConversion& conversion,
-                  const PrintOptions& options);
+                  const GamutMapping* gamut, const PrintOptions& options);
 
 /// Prints every model's view of each colour of `from`: "all" of --to.
 void print_all_models(std::span<const ColorRow> rows, const ModelReference& from,

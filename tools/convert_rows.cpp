@@ -91,6 +91,14 @@ class ColorReader {
   /// Whether colours of the model are words, not numbers.
   bool is_of_words() const { return model_.model->to_text != nullptr; }
 
+  /// Whether the text begins with a word where the model reads words: 11R 5/4.
+  bool is_broken_text(std::string_view text) const {
+    ColorRow ignored;
+    const std::vector<std::string> words = words_of(text);
+    return model_.model->text_hint != nullptr && !words.empty() && !component(words[0], ignored) &&
+           !parse_color(words[0]);
+  }
+
   [[noreturn]] void refuse_text(const std::string& place, const std::string& text) const {
     const auto hint = model_.model->text_hint;
     throw Error(ErrorKind::kContent, place,
@@ -141,7 +149,9 @@ std::vector<ColorRow> read_color_arguments(const std::vector<std::string>& argum
       rows.push_back(*argument);
       continue;
     }
-    if (reader.is_of_words()) reader.refuse_text(place, arguments[i]);
+    if (reader.is_of_words() || (count == 0 && reader.is_broken_text(arguments[i]))) {
+      reader.refuse_text(place, arguments[i]);
+    }
     for (const std::string& word : words_of(arguments[i])) {
       const auto color = count == 0 ? reader.whole(word) : std::nullopt;
       const auto number = color ? std::nullopt : ColorReader::component(word, row);
@@ -171,7 +181,9 @@ std::vector<ColorRow> read_color_rows(std::string_view text, const std::string& 
       rows.push_back(*whole);
       continue;
     }
-    if (reader.is_of_words()) reader.refuse_text(place, std::string(content));
+    if (reader.is_of_words() || reader.is_broken_text(content)) {
+      reader.refuse_text(place, std::string(content));
+    }
     const std::vector<std::string> words = words_of(content);
     ColorRow row;
     for (std::size_t i = 0; i < words.size(); ++i) {
