@@ -16,13 +16,14 @@ using Float = hn::Vec<FloatTag>;
 using Double = hn::Vec<DoubleTag>;
 
 // Two vectors, or pairs of them, that take each step together: a formula is a long chain of
-// operations that wait for each other, but not for those of the other half.
+// operations that wait for each other, but not for those of the other half. Four vectors are about
+// as many as a processor overlaps.
 template <class V>
 struct Pair {
   V low, high;
 };
-using Floats = Pair<Float>;
-using Doubles = Pair<Pair<Double> >;  // as many as there are floats in Floats
+using Floats = Pair<Pair<Float> >;
+using Doubles = Pair<Pair<Pair<Double> > >;  // as many as there are floats in Floats
 
 template <class V>
 HWY_INLINE Pair<V> operator+(Pair<V> a, Pair<V> b) {
@@ -102,48 +103,108 @@ HWY_INLINE Pair<V> scaled(Pair<V> a, Pair<V> b, Pair<V>& e) {
   return {scaled(a.low, b.low, e.low), scaled(a.high, b.high, e.high)};
 }
 
-HWY_INLINE Pair<Double> loaded_wide(const float* from) {
-  return {hn::PromoteTo(DoubleTag(), hn::LoadU(HalfTag(), from)),
-          hn::PromoteTo(DoubleTag(), hn::LoadU(HalfTag(), from + hn::Lanes(HalfTag())))};
-}
-HWY_INLINE Pair<Double> widened(Float x) {
-  return {hn::PromoteTo(DoubleTag(), hn::LowerHalf(HalfTag(), x)),
-          hn::PromoteTo(DoubleTag(), hn::UpperHalf(HalfTag(), x))};
-}
-HWY_INLINE Float narrowed(Pair<Double> x) {
-  return hn::Combine(FloatTag(), hn::DemoteTo(HalfTag(), x.high), hn::DemoteTo(HalfTag(), x.low));
+// Between memory, floats and doubles. Results are arguments: they tell how many lanes there are.
+
+HWY_INLINE std::size_t lanes_of(const Float&) { return hn::Lanes(FloatTag()); }
+HWY_INLINE std::size_t lanes_of(const Double&) { return hn::Lanes(DoubleTag()); }
+template <class V>
+HWY_INLINE std::size_t lanes_of(const Pair<V>& x) {
+  return 2 * lanes_of(x.low);
 }
 
-HWY_INLINE Float raised_two(Float n) {
+HWY_INLINE void set(float value, Float& x) { x = hn::Set(FloatTag(), value); }
+HWY_INLINE void set(double value, Double& x) { x = hn::Set(DoubleTag(), value); }
+template <class T, class V>
+HWY_INLINE void set(T value, Pair<V>& x) {
+  set(value, x.low);
+  set(value, x.high);
+}
+
+HWY_INLINE void load_lanes(const float* from, Float& x) { x = hn::LoadU(FloatTag(), from); }
+HWY_INLINE void load_lanes(const float* from, Double& x) {
+  x = hn::PromoteTo(DoubleTag(), hn::LoadU(HalfTag(), from));
+}
+template <class V>
+HWY_INLINE void load_lanes(const float* from, Pair<V>& x) {
+  load_lanes(from, x.low);
+  load_lanes(from + lanes_of(x.low), x.high);
+}
+
+HWY_INLINE void store_lanes(Float x, float* to) { hn::StoreU(x, FloatTag(), to); }
+template <class V>
+HWY_INLINE void store_lanes(Pair<V> x, float* to) {
+  store_lanes(x.low, to);
+  store_lanes(x.high, to + lanes_of(x.low));
+}
+
+HWY_INLINE void narrow_lanes(Pair<Double> x, Float& to) {
+  to = hn::Combine(FloatTag(), hn::DemoteTo(HalfTag(), x.high), hn::DemoteTo(HalfTag(), x.low));
+}
+template <class D, class F>
+HWY_INLINE void narrow_lanes(Pair<D> x, Pair<F>& to) {
+  narrow_lanes(x.low, to.low);
+  narrow_lanes(x.high, to.high);
+}
+
+HWY_INLINE void widen_lanes(Float x, Pair<Double>& to) {
+  to.low = hn::PromoteTo(DoubleTag(), hn::LowerHalf(HalfTag(), x));
+  to.high = hn::PromoteTo(DoubleTag(), hn::UpperHalf(HalfTag(), x));
+}
+template <class F, class D>
+HWY_INLINE void widen_lanes(Pair<F> x, Pair<D>& to) {
+  widen_lanes(x.low, to.low);
+  widen_lanes(x.high, to.high);
+}
+
+HWY_INLINE Float two_to(Float n) {
   // n in the last bits of a float; what is above them leaves on the left.
   const IntTag tag;
   const auto bits = hn::BitCast(tag, n + hn::Set(FloatTag(), 0x1.8p23F));
   return hn::BitCast(FloatTag(), hn::ShiftLeft<23>(bits + hn::Set(tag, 127)));
+}
+template <class V>
+HWY_INLINE Pair<V> two_to(Pair<V> n) {
+  return {two_to(n.low), two_to(n.high)};
 }
 
 struct VectorLanes {
   using F = Floats;
   using D = Doubles;
 
-  static HWY_INLINE std::size_t half() { return hn::Lanes(FloatTag()); }
-  static HWY_INLINE std::size_t size() { return 2 * half(); }
+  static constexpr std::size_t kVectors = sizeof(Floats) / sizeof(Float);
+  static HWY_INLINE std::size_t size() { return kVectors * hn::Lanes(FloatTag()); }
+
+  static HWY_INLINE F f(float value) {
+    F x;
+    set(value, x);
+    return x;
+  }
+  static HWY_INLINE D d(double value) {
+    D x;
+    set(value, x);
+    return x;
+  }
   static HWY_INLINE F load(const float* from) {
-    return {hn::LoadU(FloatTag(), from), hn::LoadU(FloatTag(), from + half())};
-  }
-  static HWY_INLINE void store(F x, float* to) {
-    hn::StoreU(x.low, FloatTag(), to);
-    hn::StoreU(x.high, FloatTag(), to + half());
-  }
-  static HWY_INLINE F f(float x) { return {hn::Set(FloatTag(), x), hn::Set(FloatTag(), x)}; }
-  static HWY_INLINE D d(double x) {
-    const Pair<Double> both{hn::Set(DoubleTag(), x), hn::Set(DoubleTag(), x)};
-    return {both, both};
+    F x;
+    load_lanes(from, x);
+    return x;
   }
   static HWY_INLINE D load_wide(const float* from) {
-    return {loaded_wide(from), loaded_wide(from + half())};
+    D x;
+    load_lanes(from, x);
+    return x;
   }
-  static HWY_INLINE F narrow(D x) { return {narrowed(x.low), narrowed(x.high)}; }
-  static HWY_INLINE D widen(F x) { return {widened(x.low), widened(x.high)}; }
+  static HWY_INLINE void store(F x, float* to) { store_lanes(x, to); }
+  static HWY_INLINE F narrow(D x) {
+    F to;
+    narrow_lanes(x, to);
+    return to;
+  }
+  static HWY_INLINE D widen(F x) {
+    D to;
+    widen_lanes(x, to);
+    return to;
+  }
 
   static HWY_INLINE F min(F a, F b) { return lesser(a, b); }
   static HWY_INLINE D min(D a, D b) { return lesser(a, b); }
@@ -157,6 +218,6 @@ struct VectorLanes {
 
   static HWY_INLINE F whole(F x) { return (x + f(0x1.8p23F)) - f(0x1.8p23F); }
   static HWY_INLINE D whole(D x) { return (x + d(0x1.8p52)) - d(0x1.8p52); }
-  static HWY_INLINE F power_of_two(F n) { return {raised_two(n.low), raised_two(n.high)}; }
+  static HWY_INLINE F power_of_two(F n) { return two_to(n); }
 };
 #endif

@@ -23,7 +23,7 @@ namespace HWY_NAMESPACE {
 #include "lib/core/power-inl.h"
 #include "lib/light/rows_kernel-inl.h"
 
-constexpr std::size_t kMostLanes = 2 * HWY_MAX_BYTES / sizeof(float);
+constexpr std::size_t kMostLanes = sizeof(VectorLanes::F) / sizeof(float);
 using Padded = std::array<float, kMostLanes>;
 
 std::span<const float> padded(std::span<const float> rest, Padded& buffer) {

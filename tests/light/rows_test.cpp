@@ -97,7 +97,8 @@ TEST_F(ShadeRows, SameBitsOnEveryInstructionSet) {
     hwy::SetSupportedTargetsForTest(target);
     for (const RowModel& model : kRowModels) {
       SCOPED_TRACE(testing::Message() << model.name << " on " << hwy::TargetName(target));
-      for (const std::size_t size : {0UL, 1UL, 3UL, 7UL, 8UL, 9UL, 15UL, 16UL, 17UL, kMost}) {
+      for (const std::size_t size :
+           {0UL, 1UL, 3UL, 7UL, 8UL, 9UL, 15UL, 16UL, 17UL, 63UL, 64UL, 65UL, kMost}) {
         Lit fast(size);
         Lit scalar(size);
         shade_rows(shading_of(model), surface.view(size), fast.view());
