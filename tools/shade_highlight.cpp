@@ -19,7 +19,7 @@ void factor(const ShadeRow& in, ShadeRow& out) {
   out.set("f", exponent_factor(rho_deg));
 }
 
-constexpr Column kConversionIn[] = {{"phong_r", kAboveZero}, {"LE_deg", kAngle180}};
+constexpr Column kConversionIn[] = {{"phong_r", kNotNegative}, {"LE_deg", kAngle180}};
 constexpr Column kConversionOut[] = {
     {"blinn_n_f4", kNumber},         {"blinn_n_minimax_4cosbeta", kNumber},
     {"beckmann_m_of_n_f4", kNumber}, {"beckmann_m_of_n_minimax", kNumber},
@@ -79,6 +79,52 @@ void limits(const ShadeRow& in, ShadeRow& out) {
   out.set("minimax_error", minimax_limit_error(le_deg));
 }
 
+constexpr Column kBlinnIn[] = {{"blinn_n", kAboveZero}, {"f", kAboveZero}};
+constexpr Column kBlinnOut[] = {{"phong_r", kNumber},
+                                {"beckmann_m", kNumber},
+                                {"least_error", kNumber},
+                                {"greatest_error", kNumber}};
+void blinn_match(const ShadeRow& in, ShadeRow& out) {
+  const double n = in.number("blinn_n");
+  const ErrorRange errors = beckmann_match_errors(n);
+  out.set("phong_r", phong_exponent(n, in.number("f")));
+  out.set("beckmann_m", beckmann_roughness(n));
+  out.set("least_error", errors.least);
+  out.set("greatest_error", errors.greatest);
+}
+
+constexpr Column kExtremesIn[] = {{"r", kAboveZero}, {"f", kAboveZero}, {"LE_deg", kAngle180}};
+constexpr Column kExtremesOut[] = {{"least", kNumber},
+                                   {"greatest", kNumber},
+                                   {"extreme", kNumber},
+                                   {"mean", kNumber},
+                                   {"standard_deviation", kNumber}};
+void extremes(const ShadeRow& in, ShadeRow& out) {
+  const ErrorRange range = highlight_errors(in.number("r"), in.number("f"), in.number("LE_deg"));
+  const ErrorStatistics spread =
+      highlight_error_statistics(in.number("r"), in.number("f"), in.number("LE_deg"));
+  out.set("least", range.least);
+  out.set("greatest", range.greatest);
+  out.set("extreme", range.extreme());
+  out.set("mean", spread.mean);
+  out.set("standard_deviation", spread.standard_deviation);
+}
+
+constexpr Column kMinimaxIn[] = {{"r", kAboveZero}, {"LE_deg", kAngle180}};
+constexpr Column kMinimaxOut[] = {{"f", kNumber}};
+void minimax(const ShadeRow& in, ShadeRow& out) {
+  out.set("f", minimax_factor(in.number("r"), in.number("LE_deg")));
+}
+
+constexpr ColumnKind kEyeDistance{"", "above 1", [](double x) { return x > 1; }};
+constexpr Column kNearEyeIn[] = {
+    {"r", kNotNegative}, {"f", kAboveZero}, {"LE_deg", kAngle180}, {"eye_distance", kEyeDistance}};
+constexpr Column kNearEyeOut[] = {{"extreme", kNumber}};
+void near_eye(const ShadeRow& in, ShadeRow& out) {
+  out.set("extreme", near_eye_extreme(in.number("r"), in.number("f"), in.number("LE_deg"),
+                                      in.number("eye_distance")));
+}
+
 constexpr std::array kModels{
     ShadeModel{"exponent_factor", "f = log(2 cos^2 nu - 1)/log cos nu, rho = 2 nu; 4 at 0",
                "[FisherWoo, eq. 5]", kFactorIn, kFactorOut, factor},
@@ -91,6 +137,16 @@ constexpr std::array kModels{
                "[FisherWoo, eq. 6]", kErrorIn, kErrorOut, pixel},
     ShadeModel{"highlight_limits", "255 (1 - a) a^(a/(1 - a)), a = cos^2 beta; f* = 4 cos beta",
                "[FisherWoo], continued", kLimitIn, kLimitOut, limits},
+    ShadeModel{"blinn_match", "r = n/f, m = sqrt(2/(n + 2)); 255 (D(b)/D(0) - cos^n b) over b",
+               "[FisherWoo, Walter07]", kBlinnIn, kBlinnOut, blinn_match},
+    ShadeModel{"highlight_extremes",
+               "ends, mean and deviation of 255 ((R.E)^r - (N.H)^(f r)) over the normals",
+               "[FisherWoo, table 3]", kExtremesIn, kExtremesOut, extremes},
+    ShadeModel{"highlight_minimax", "the f for which the greatest error is smallest",
+               "[FisherWoo], continued", kMinimaxIn, kMinimaxOut, minimax},
+    ShadeModel{"highlight_near_eye",
+               "the extreme on a unit sphere, the eye eye_distance from its centre", "[FisherWoo]",
+               kNearEyeIn, kNearEyeOut, near_eye},
 };
 
 }  // namespace

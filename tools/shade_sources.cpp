@@ -34,6 +34,18 @@ void spot(const ShadeRow& in, ShadeRow& out) {
                                 in.number("exponent")));
 }
 
+constexpr Column kCameraIn[] = {{"position", kVector}, {"direction", kVector}, {"right", kVector},
+                                {"up", kVector},       {"back", kVector},      {"eye", kVector}};
+constexpr Column kCameraOut[] = {{"position", kVector}, {"direction", kVector}};
+void camera_light(const ShadeRow& in, ShadeRow& out) {
+  CameraPose camera{.world_from_camera = {}, .eye = in.vector("eye")};
+  camera.world_from_camera << in.vector("right"), in.vector("up"), in.vector("back");
+  const SpotLight light{.position = in.vector("position"), .direction = in.vector("direction")};
+  const auto placed = std::get<SpotLight>(placed_with_camera(light, camera));
+  out.set("position", placed.position);
+  out.set("direction", placed.direction);
+}
+
 Attenuation attenuation_of(const JsonRow& light) {
   const JsonRow in = light.object("attenuation");
   const std::string name = in.text("kind");
@@ -113,6 +125,8 @@ constexpr std::array kModels{
                "[Shoaff 3.2, UBC, Lambert1760]", kAttenuationIn, kAttenuationOut, attenuation},
     ShadeModel{"spot", "cos^exponent of the angle between lp and axis, 0 beyond cutoff",
                "[OpenGL 2.13.1]", kSpotIn, kSpotOut, spot},
+    ShadeModel{"camera_light", "a light fixed to the camera: eye + x right + y up + z back",
+               "[UBC]", kCameraIn, kCameraOut, camera_light},
     ShadeModel{"multilight", "ka Ia Od + sum f_att Ip [kd Od N.L + ks Os (R.V)^n or (N.H)^n]",
                "[Shoaff 3.7]", kMultilightIn, kExpect, nullptr, multilight},
     ShadeModel{"area_light", "E = Le/2 sum of the edges' angles times N on their planes' normals",

@@ -45,9 +45,16 @@ namespace {
 using detail::product;
 using Eigen::Vector3d;
 
+// Made unit, unless it is that already: turned by the rounding of its length, light that grazes
+// could pass to the other side of the surface.
+Vector3d direction(const Vector3d& v) noexcept {
+  constexpr double kRounding = 1e-15;  // of the three parts of a unit vector
+  return std::fabs(v.squaredNorm() - 1) <= kRounding ? v : normalize(v);
+}
+
 template <typename Color>
 IncidentOf<Color> arriving(const DirectionalLightOf<Color>& light, const Vector3d&) noexcept {
-  return {normalize(light.to_light), light.intensity};
+  return {direction(light.to_light), light.intensity};
 }
 
 template <typename Color>

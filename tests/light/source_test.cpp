@@ -74,6 +74,12 @@ TEST(Incident, DirectionalLightIsTheSameEverywhere) {
   }
 }
 
+TEST(Incident, DirectionsThatAreUnitStayAsTheyAre) {
+  // Its square is 1 - 2.06e-16: made unit again, all three parts would move.
+  const Vector3d unit(0.9375569964409753, 0.2448384850636399, 0.24706475802169464);
+  EXPECT_EQ(incident(DirectionalLight{.to_light = unit}, {0, 0, 0}).to_light, unit);
+}
+
 TEST(Incident, PointLightFadesWithTheDistance) {
   const PointLight lamp{.position = {0, 0, 5},
                         .intensity = {100, 50, 0},

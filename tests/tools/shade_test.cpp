@@ -164,6 +164,46 @@ TEST_F(ShadeCommand, ListsEveryModelWithItsSource) {
   EXPECT_NE(help.find("[OpenGL 2.13.1]"), std::string::npos);
 }
 
+// N (C14), and a light that moves with the camera (B7): all else is the same for all rows.
+TEST_F(ShadeCommand, FarLightsAndCamerasAreOptions) {
+  const std::string far =
+      "shade local_illumination - --Lx 0 --Ly 0 --Lz 1 --Vx 0 --Vy 0 --Vz 1 --n 2 --ka 0 --kd 1 "
+      "--ks 1 --Iar 0 --Iag 0 --Iab 0 --Ipr 1 --Ipg 1 --Ipb 1 --Odr 1 --Odg 0.5 --Odb 0 --Osr 1 "
+      "--Osg 1 --Osb 1 --fatt 1";
+  EXPECT_EQ(good(far, input("Nx,Ny,Nz\n0,0,1\n0,0,-1\n")),
+            "lambert,spec_phong,spec_blinn,I_phongr,I_phongg,I_phongb,I_blinnr,I_blinng,I_blinnb\n"
+            "1,1,1,2,1.5,1,2,1.5,1\n0,0,0,0,0,0,0,0,0\n");
+  const std::string camera =
+      "shade camera_light - --eyex 10 --eyey 20 --eyez 30 --rightx 0 --righty 0 --rightz -1 "
+      "--upx 0 --upy 1 --upz 0 --backx 1 --backy 0 --backz 0 --directionx 0 --directiony 0 "
+      "--directionz -1";
+  EXPECT_EQ(good(camera, input("positionx,positiony,positionz\n0,0,0\n1,2,3\n")),
+            "positionx,positiony,positionz,directionx,directiony,directionz\n"
+            "10,20,30,-1,0,0\n13,22,29,-1,0,0\n");
+}
+
+TEST_F(ShadeCommand, MatchesExponents) {
+  const auto row = [](const std::string& out) { return out.substr(out.find('\n') + 1); };
+  // [FisherWoo, table 3], and the deviation that its text gives for r = 40
+  const auto extremes = [&](const std::string& columns) {
+    return cells_of(row(good("shade highlight_extremes --f 4 " + columns)));
+  };
+  EXPECT_NEAR(std::stod(extremes("--r 10 --LE_deg 90").at(2)), 63.75, 1e-9);
+  EXPECT_NEAR(std::stod(extremes("--r 10 --LE_deg 0").at(2)), -3.63, 0.005);
+  EXPECT_NEAR(std::stod(extremes("--r 40 --LE_deg 120").at(4)), 7.75, 0.005);
+  EXPECT_NEAR(std::stod(row(good("shade highlight_minimax --r 1e9 --LE_deg 90"))), 2.8284271, 1e-6);
+  EXPECT_EQ(row(good("shade blinn_match --blinn_n 40 --f 4")).substr(0, 23),
+            "10,0.21821789023599236,");
+  // The eye at 5 radii; the search finds the extreme to 1e-3.
+  EXPECT_NEAR(std::stod(row(good("shade highlight_near_eye --r 10 --f 4 --LE_deg 90 "
+                                 "--eye_distance 5"))),
+              78.013, 2e-3);
+  EXPECT_TRUE(
+      row(good("shade exponent_conversion --phong_r 0 --LE_deg 90")).starts_with("0,0,1,1,"));
+  refuses("shade exponent_conversion --phong_r -1 --LE_deg 90", 3,
+          "options, column phong_r: -1 is out of range; give 0 or more");
+}
+
 // A grazing eye, an eye opposite the light, nothing at all.
 TEST_F(ShadeCommand, FiniteInputIsNeverNan) {
   const std::string rows =

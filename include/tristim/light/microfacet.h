@@ -47,7 +47,7 @@ inline constexpr MicrofacetDistribution kBlinn{
 /// Every distribution. The command line, the docs and the tests read this list.
 inline constexpr std::array kMicrofacetDistributions{kGauss, kBeckmann, kBlinn};
 
-/// D as the formula stands; 0 where cos_beta is not above 0, and above 1 it counts as 1.
+/// D as the formula stands, at cos_beta = 0 its limit; 0 below 0, and above 1 it counts as 1.
 double microfacet_density(const MicrofacetDistribution& distribution, double cos_beta,
                           double m) noexcept;
 

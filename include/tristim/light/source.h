@@ -48,7 +48,7 @@ struct Attenuation {
 /// Light from one direction, everywhere the same.
 template <typename Color>
 struct DirectionalLightOf {
-  Eigen::Vector3d to_light{0, 0, 1};  // any length
+  Eigen::Vector3d to_light{0, 0, 1};  // any length; what is unit stays as it is
   Color intensity = {};               // Ip
 };
 
