@@ -73,7 +73,8 @@ void shade_json(const ShadeModel& model, const Options& options, const std::stri
   const std::string name = input.empty() ? "options" : input == "-" ? "standard input" : input;
   file.write("[");
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string place = name + ", object " + std::to_string(i + 1);
+    const std::string place =
+        name + ", object " + std::to_string(i + 1) + " (" + std::string(model.name) + ")";
     (void)JsonRow(rows[i], place);  // an object
     for (const auto& [key, text] : options.fixed) rows[i][key] = option_value(text);
     Json answer = Json::object();

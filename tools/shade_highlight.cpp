@@ -10,6 +10,8 @@ namespace {
 
 constexpr ColumnKind kAngle180{"", "0 to 180", [](double x) { return x >= 0 && x <= 180; }};
 
+constexpr ColumnKind kCosine{"", "0 to 1", [](double x) { return x >= 0 && x <= 1; }};
+
 constexpr Column kFactorIn[] = {{"rho_deg", kAngle180}};
 constexpr Column kFactorOut[] = {{"cos_rho", kNumber}, {"cos_nu", kNumber}, {"f", kNumber}};
 void factor(const ShadeRow& in, ShadeRow& out) {
@@ -67,6 +69,29 @@ void pixel(const ShadeRow& in, ShadeRow& out) {
   out.set("E", frame.to_eye);
   out.set("N", frame.normal);
   out.set("error", pixel_error(frame, in.number("r"), in.number("f")));
+}
+
+constexpr Column kCoplanarIn[] = {{"rho_deg", kAngle180}, {"r", kNotNegative}};
+constexpr Column kCoplanarOut[] = {{"error", kNumber}};
+void coplanar(const ShadeRow& in, ShadeRow& out) {
+  out.set("error", coplanar_pixel_error(in.number("rho_deg"), in.number("r")));
+}
+
+constexpr Column kAsideIn[] = {
+    {"nu_deg", kAngle180}, {"beta_deg", kAngle180}, {"theta_deg", kAngle180}};
+constexpr Column kAsideOut[] = {{"RdotE", kNumber}};
+void aside(const ShadeRow& in, ShadeRow& out) {
+  out.set("RdotE", r_dot_e(in.number("nu_deg"), in.number("beta_deg"), in.number("theta_deg")));
+}
+
+constexpr Column kZeroIn[] = {{"NdotH", kCosine}, {"f", kNotNegative}, {"LE_deg", kAngle180}};
+constexpr Column kZeroOut[] = {{"exists", kFlag}, {"cos_theta", kNumber}};
+void zero(const ShadeRow& in, ShadeRow& out) {
+  const double cos_theta =
+      zero_error_cos_theta(in.number("NdotH"), in.number("f"), in.number("LE_deg"));
+  const bool exists = cos_theta >= 0;  // it is NaN where no normal has the error 0
+  out.set("exists", exists);
+  out.set("cos_theta", exists ? cos_theta : 0);
 }
 
 constexpr Column kLimitIn[] = {{"LE_deg", kAngle180}};
@@ -135,6 +160,13 @@ constexpr std::array kModels{
                "[FisherWoo, eq. 7-13]", kIdentityIn, kIdentityOut, identities},
     ShadeModel{"highlight_error", "255 ((R.E)^r - (N.H)^(f r)) in the frame of figure 4",
                "[FisherWoo, eq. 6]", kErrorIn, kErrorOut, pixel},
+    ShadeModel{"coplanar_error", "255 (cos^(4 r) nu - cos^r rho), rho = 2 nu", "[FisherWoo, eq. 6]",
+               kCoplanarIn, kCoplanarOut, coplanar},
+    ShadeModel{"highlight_aside", "R.E = cos(2 nu) + 2 sin^2 beta cos^2 theta",
+               "[FisherWoo, eq. 7]", kAsideIn, kAsideOut, aside},
+    ShadeModel{"highlight_zero",
+               "where R.E = (N.H)^f: 2 sin^2 beta cos^2 theta = (N.H)^f - 2 (N.H)^2 + 1",
+               "[FisherWoo], continued", kZeroIn, kZeroOut, zero},
     ShadeModel{"highlight_limits", "255 (1 - a) a^(a/(1 - a)), a = cos^2 beta; f* = 4 cos beta",
                "[FisherWoo], continued", kLimitIn, kLimitOut, limits},
     ShadeModel{"blinn_match", "r = n/f, m = sqrt(2/(n + 2)); 255 (D(b)/D(0) - cos^n b) over b",

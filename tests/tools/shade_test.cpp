@@ -136,10 +136,11 @@ TEST_F(ShadeCommand, TellsTheRowOfAMistake) {
 
 TEST_F(ShadeCommand, TellsTheObjectOfAMistake) {
   refuses("shade area_light -", 3,
-          "standard input, object 2: 'normal' is missing; add it or give --normal",
+          "standard input, object 2 (area_light): 'normal' is missing; add it or give --normal",
           input(R"([{"polygon":[],"point":[0,0,0],"normal":[0,0,1],"Le":1},
                     {"polygon":[],"point":[0,0,0],"Le":1}])"));
-  refuses("shade area_light -", 3, "standard input, object 1: 'polygon[1]' has 2 numbers; give 3",
+  refuses("shade area_light -", 3,
+          "standard input, object 1 (area_light): 'polygon[1]' has 2 numbers; give 3",
           input(R"({"polygon":[[1,2,3],[1,2]],"point":[0,0,0],"normal":[0,0,1],"Le":1})"));
   refuses("shade area_light -", 3,
           "standard input: is no JSON list of objects; write [{ ... }, { ... }]", input("[{]"));
@@ -191,6 +192,10 @@ TEST_F(ShadeCommand, MatchesExponents) {
   EXPECT_NEAR(std::stod(extremes("--r 10 --LE_deg 90").at(2)), 63.75, 1e-9);
   EXPECT_NEAR(std::stod(extremes("--r 10 --LE_deg 0").at(2)), -3.63, 0.005);
   EXPECT_NEAR(std::stod(extremes("--r 40 --LE_deg 120").at(4)), 7.75, 0.005);
+  EXPECT_EQ(row(good("shade coplanar_error --rho_deg 60 --r 5")).substr(0, 5), "6.391");
+  EXPECT_EQ(row(good("shade highlight_aside --nu_deg 0 --beta_deg 45 --theta_deg 90")), "1\n");
+  EXPECT_EQ(row(good("shade highlight_zero --NdotH 1 --f 4 --LE_deg 90")), "1,0\n");
+  EXPECT_EQ(row(good("shade highlight_zero --NdotH 0.5 --f 4 --LE_deg 10")), "0,0\n");
   EXPECT_NEAR(std::stod(row(good("shade highlight_minimax --r 1e9 --LE_deg 90"))), 2.8284271, 1e-6);
   EXPECT_EQ(row(good("shade blinn_match --blinn_n 40 --f 4")).substr(0, 23),
             "10,0.21821789023599236,");
