@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 
 #include "lib/color/row_kernels.h"
@@ -33,6 +34,13 @@ template <typename W>
 struct Three {
   W a, b, c;
 };
+
+// f of floats as doubles, its results rounded to float.
+template <typename F, std::same_as<float>... X>
+HWY_INLINE Three<float> in_double(F&& f, X... x) {
+  const Three<double> y = f(double{x}...);
+  return {static_cast<float>(y.a), static_cast<float>(y.b), static_cast<float>(y.c)};
+}
 
 // 2^y within 1e-14 relative; beyond [-1020, 1020] what the ends have, which no float can hold.
 template <typename W>
@@ -283,18 +291,22 @@ struct RatiosFromLab {
 
 // With S = Xw x + 15 y + 3 Zw z, u' - u'w = 4 Xw (15 (x - y) + 3 Zw (x - z))/(S Sw) and
 // v' - v'w = 9 (Xw (y - x) + 3 Zw (y - z))/(S Sw): nothing is left on greys.
+template <typename W>
+HWY_INLINE Three<W> luv_of_ratios(Three<W> c, W lstar, const RowParameters& white) {
+  const W xw = W(white[0]);
+  const W zw3 = W(3 * white[1]);
+  const W white_sum = (xw + W(15.0)) + zw3;
+  const W sum = (xw * c.a + W(15.0) * c.b) + zw3 * c.c;
+  const W scale = select(sum == W(0.0), W(0.0), W(13.0) * lstar / (sum * white_sum));
+  const W u = xw * (W(15.0) * (c.a - c.b) + zw3 * (c.a - c.c));
+  const W v = xw * (c.b - c.a) + zw3 * (c.b - c.c);
+  return {lstar, W(4.0) * scale * u, W(9.0) * scale * v};
+}
+
 struct LuvFromRatios {
   template <typename W>
   static HWY_INLINE Three<W> apply(Three<W> c, const RowParameters& white) {
-    const W xw = W(white[0]);
-    const W zw3 = W(3 * white[1]);
-    const W white_sum = (xw + W(15.0)) + zw3;
-    const W sum = (xw * c.a + W(15.0) * c.b) + zw3 * c.c;
-    const W l = W(116.0) * lightness(c.b) - W(16.0);
-    const W scale = select(sum == W(0.0), W(0.0), W(13.0) * l / (sum * white_sum));
-    const W u = xw * (W(15.0) * (c.a - c.b) + zw3 * (c.a - c.c));
-    const W v = xw * (c.b - c.a) + zw3 * (c.b - c.c);
-    return {l, W(4.0) * scale * u, W(9.0) * scale * v};
+    return luv_of_ratios(c, W(116.0) * lightness(c.b) - W(16.0), white);
   }
 };
 
@@ -331,25 +343,30 @@ struct Cube {
   }
 };
 
+constexpr RowParameters second_half(const RowParameters& p) {
+  RowParameters half{};
+  for (std::size_t i = 9; i < p.size(); ++i) half[i - 9] = p[i];
+  return half;
+}
+
 // Formulas one after the other; the second's numbers follow the nine of the first.
 template <typename First, typename Second>
 struct Then {
   template <typename W>
   static HWY_INLINE Three<W> apply(Three<W> c, const RowParameters& p) {
-    RowParameters rest{};
-    for (std::size_t i = 9; i < p.size(); ++i) rest[i - 9] = p[i];
-    return Second::apply(First::apply(c, p), rest);
+    return Second::apply(First::apply(c, p), second_half(p));
   }
 };
 
+// A matrix, a curve, a matrix.
+template <typename Curve>
 struct OklabLike {
   template <typename W>
   static HWY_INLINE Three<W> apply(Three<W> c, const RowParameters& p) {
     const Three<W> cones = Matrix::apply(c, p);
-    RowParameters second{};
-    for (std::size_t i = 0; i < 9; ++i) second[i] = p[i + 9];
     return Matrix::apply(
-        Three<W>{cube_root_of(cones.a), cube_root_of(cones.b), cube_root_of(cones.c)}, second);
+        Three<W>{Curve::curve(cones.a, p), Curve::curve(cones.b, p), Curve::curve(cones.c, p)},
+        second_half(p));
   }
 };
 
@@ -498,6 +515,14 @@ struct AcescctDecode {
   }
 };
 
+}  // namespace tristim::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#include "lib/color/row_floats-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace tristim::detail::HWY_NAMESPACE {
+
 // Runs a formula over a block, Lanes::count() pixels at a time.
 template <typename Formula, typename Lanes>
 void run_block(RowBlock& block, std::size_t count, const RowParameters& p) {
@@ -522,33 +547,47 @@ HWY_INLINE Three<W> defined(Three<W> c, const RowParameters& p, W undefined) {
           select(is_nan(x.c), none, x.c)};
 }
 
-// Two vectors of doubles a time: they come out of whole vectors of floats.
-template <typename Formula, typename Lanes>
-HWY_INLINE void run_group(const float* in, float* out, const RowParameters& p,
-                          typename Lanes::W undefined) {
+// A vector of floats a time. A formula without a `Fast` one computes in double.
+template <typename Formula, typename Fast, typename Lanes>
+HWY_INLINE void run_group(const float* in, float* out, const RowParameters& p, double undefined) {
   const auto c = Lanes::load_pixels(in);
-  Lanes::store_pixels({defined<Formula>(c.a, p, undefined), defined<Formula>(c.b, p, undefined)},
-                      out);
+  const auto exact = [&](auto x, auto y, auto z) HWY_ATTR {
+    using W = decltype(x);
+    return defined<Formula>(Three<W>{x, y, z}, p, W(undefined));
+  };
+  if constexpr (std::same_as<Fast, void>) {
+    Lanes::store_pixels(in_double(exact, c.a, c.b, c.c), out);
+  } else {
+    using F = decltype(c.a);
+    auto x = Fast::apply(c, p, F(undefined));
+    const auto usual = Fast::takes(c);
+    if (any(!usual)) {
+      const auto rest = in_double(exact, c.a, c.b, c.c);
+      x = {select(usual, x.a, rest.a), select(usual, x.b, rest.b), select(usual, x.c, rest.c)};
+    }
+    Lanes::store_pixels(x, out);
+  }
 }
 
-template <typename Formula, typename Lanes>
+template <typename Formula, typename Fast, typename Lanes>
 void run_pixels(const float* in, float* out, std::size_t count, const RowParameters& p,
                 bool keep_undefined) {
-  const typename Lanes::W undefined(keep_undefined ? kNone : 0);
-  const std::size_t step = 2 * Lanes::count();
+  const double undefined = keep_undefined ? kNone : 0;
+  const RowParameters own = p;  // which nothing that is stored can change: read before the loop
+  const std::size_t step = Lanes::pixels();
   std::size_t i = 0;
   for (; i + step <= count; i += step) {
-    run_group<Formula, Lanes>(in + 3 * i, out + 3 * i, p, undefined);
+    run_group<Formula, Fast, Lanes>(in + 3 * i, out + 3 * i, own, undefined);
   }
   if (i == count) return;
-  float rest[3 * 128] = {};  // no vector has more doubles than 64
+  float rest[3 * 128] = {};  // no vector has more floats than 128
   std::copy(in + 3 * i, in + 3 * count, rest);
-  run_group<Formula, Lanes>(rest, rest, p, undefined);
+  run_group<Formula, Fast, Lanes>(rest, rest, own, undefined);
   std::copy(rest, rest + 3 * (count - i), out + 3 * i);
 }
 
-template <typename Formula, typename Lanes>
-constexpr RowKernel run{run_block<Formula, Lanes>, run_pixels<Formula, Lanes>};
+template <typename Formula, typename Lanes, typename Fast = void>
+constexpr RowKernel run{run_block<Formula, Lanes>, run_pixels<Formula, Fast, Lanes>};
 
 template <typename Formula, typename Lanes>
 void run_curve_block(RowBlock& block, std::size_t count, const RowParameters& p) {
@@ -571,9 +610,9 @@ RowKernels all_kernels(std::string_view name) {
           .matrix = run<Matrix, Lanes>,
           .grey_matrix = run<GreyMatrix, Lanes>,
           .complement = run<Complement, Lanes>,
-          .hsv_from_rgb = run<HsvFromRgb, Lanes>,
+          .hsv_from_rgb = run<HsvFromRgb, Lanes, FastHsv>,
           .rgb_from_hsv = run<RgbFromHsv, Lanes>,
-          .hls_from_rgb = run<HlsFromRgb, Lanes>,
+          .hls_from_rgb = run<HlsFromRgb, Lanes, FastHls>,
           .rgb_from_hls = run<RgbFromHls, Lanes>,
           .swap_last = run<SwapLast, Lanes>,
           .hue = run<Hue, Lanes>,
@@ -581,13 +620,16 @@ RowKernels all_kernels(std::string_view name) {
           .ratios_from_lab = run<RatiosFromLab, Lanes>,
           .luv_from_ratios = run<LuvFromRatios, Lanes>,
           .ratios_from_luv = run<RatiosFromLuv, Lanes>,
-          .cube_root = run_curve<CubeRoot, Lanes>,
-          .cube = run_curve<Cube, Lanes>,
-          .lab_of_matrix = run<Then<Matrix, LabFromRatios>, Lanes>,
-          .lab_of_grey_matrix = run<Then<GreyMatrix, LabFromRatios>, Lanes>,
-          .luv_of_matrix = run<Then<Matrix, LuvFromRatios>, Lanes>,
-          .luv_of_grey_matrix = run<Then<GreyMatrix, LuvFromRatios>, Lanes>,
-          .oklab = run<OklabLike, Lanes>,
+          .lab_of_matrix = run<Then<Matrix, LabFromRatios>, Lanes, FastLab<Matrix>>,
+          .lab_of_grey_matrix = run<Then<GreyMatrix, LabFromRatios>, Lanes, FastLab<GreyMatrix>>,
+          .luv_of_matrix = run<Then<Matrix, LuvFromRatios>, Lanes, FastLuv<Matrix>>,
+          .luv_of_grey_matrix = run<Then<GreyMatrix, LuvFromRatios>, Lanes, FastLuv<GreyMatrix>>,
+          .matrix_of_lab = run<Then<RatiosFromLab, Matrix>, Lanes>,
+          .grey_matrix_of_lab = run<Then<RatiosFromLab, GreyMatrix>, Lanes>,
+          .matrix_of_luv = run<Then<RatiosFromLuv, Matrix>, Lanes>,
+          .grey_matrix_of_luv = run<Then<RatiosFromLuv, GreyMatrix>, Lanes>,
+          .oklab = run<OklabLike<CubeRoot>, Lanes, FastOklab>,
+          .linear_of_oklab = run<OklabLike<Cube>, Lanes>,
           .power_encode = run_curve<PowerEncode, Lanes>,
           .power_decode = run_curve<PowerDecode, Lanes>,
           .bt1886_encode = run_curve<Bt1886Encode, Lanes>,

@@ -8,6 +8,8 @@
 namespace tristim::detail {
 namespace {
 
+using Colors = HWY_NAMESPACE::Three<float>;
+
 // Numbers one at a time: the definition of the rows.
 struct ScalarLanes {
   using W = double;
@@ -15,14 +17,12 @@ struct ScalarLanes {
   static double load(const double* from) noexcept { return *from; }
   static void store(double x, double* to) noexcept { *to = x; }
 
-  using Pixels = HWY_NAMESPACE::Two<HWY_NAMESPACE::Three<double>>;
-  static Pixels load_pixels(const float* in) noexcept {
-    return {{in[0], in[1], in[2]}, {in[3], in[4], in[5]}};
-  }
-  static void store_pixels(const Pixels& pixels, float* out) noexcept {
-    for (const auto& c : {pixels.a, pixels.b}) {
-      for (const double x : {c.a, c.b, c.c}) *out++ = static_cast<float>(x);
-    }
+  static constexpr std::size_t pixels() noexcept { return 1; }
+  static Colors load_pixels(const float* in) noexcept { return {in[0], in[1], in[2]}; }
+  static void store_pixels(const Colors& c, float* out) noexcept {
+    out[0] = c.a;
+    out[1] = c.b;
+    out[2] = c.c;
   }
 
   static void load_block(const float* in, RowChannels channels, std::size_t count,

@@ -17,7 +17,7 @@ struct RowBlock {
 };
 
 /// The numbers of a kernel: matrices row by row.
-using RowParameters = std::array<double, 18>;
+using RowParameters = std::array<double, 27>;
 
 /// A formula in one instruction set.
 struct RowKernel {
@@ -25,8 +25,8 @@ struct RowKernel {
   /// beyond, where anything may stand.
   void (*block)(RowBlock& block, std::size_t count, const RowParameters& p) = nullptr;
 
-  /// Converts pixels of three channels without a block between, for conversions of one step;
-  /// nullptr where that is no gain.
+  /// Converts pixels of three channels without a block between, for conversions of one step, some
+  /// in floats (row_floats-inl.h); nullptr where that is no gain. `in` and `out` may be the same.
   void (*pixels)(const float* in, float* out, std::size_t count, const RowParameters& p,
                  bool keep_undefined) = nullptr;
 
@@ -59,11 +59,13 @@ struct RowKernels {
   // Lab and Luv of X/Xw, Y/Yw, Z/Zw. Luv: Xw, Zw with Yw = 1.
   RowKernel lab_from_ratios, ratios_from_lab;
   RowKernel luv_from_ratios, ratios_from_luv;
-  RowKernel cube_root, cube;
 
-  // A matrix or a grey matrix with what follows it: m[9], then the numbers of the second.
+  // A matrix or a grey matrix with what follows it: its nine numbers, then those of the second.
   RowKernel lab_of_matrix, lab_of_grey_matrix, luv_of_matrix, luv_of_grey_matrix;
-  RowKernel oklab;  // a matrix, cube roots, a matrix
+  RowKernel matrix_of_lab, grey_matrix_of_lab, matrix_of_luv, grey_matrix_of_luv;  // and back
+
+  // A matrix, cube roots or cubes, a matrix, and the second's numbers rounded to 1/4096.
+  RowKernel oklab, linear_of_oklab;
 
   // Curves; see PowerCurve for the numbers of the first two.
   RowKernel power_encode, power_decode;

@@ -27,45 +27,80 @@ using Doubles = hn::ScalableTag<double>;
 using Floats = hn::Rebind<float, Doubles>;
 using WholeFloats = hn::Repartition<float, Doubles>;
 using Bits = hn::RebindToUnsigned<Doubles>;
+using FloatBits = hn::RebindToUnsigned<WholeFloats>;
 
-struct WideMask {
-  hn::Mask<Doubles> m;
+template <typename T>
+struct MaskOf {
+  hn::Mask<hn::ScalableTag<T> > m;
 };
 
-// As many doubles as a vector has, with the operations of row_lanes.h.
-struct Wide {
-  hn::Vec<Doubles> v;
-  HWY_INLINE explicit Wide(hn::Vec<Doubles> vector) : v(vector) {}
-  HWY_INLINE explicit Wide(double x) : v(hn::Set(Doubles(), x)) {}
+// As many numbers as a vector has, with the operations of row_lanes.h.
+template <typename T>
+struct VectorOf {
+  using Tag = hn::ScalableTag<T>;
+  hn::Vec<Tag> v;
+  HWY_INLINE explicit VectorOf(hn::Vec<Tag> vector) : v(vector) {}
+  HWY_INLINE explicit VectorOf(double x) : v(hn::Set(Tag(), static_cast<T>(x))) {}
 };
+using Wide = VectorOf<double>;
+using Narrow = VectorOf<float>;
 
-HWY_INLINE Wide operator+(Wide a, Wide b) { return Wide(hn::Add(a.v, b.v)); }
-HWY_INLINE Wide operator-(Wide a, Wide b) { return Wide(hn::Sub(a.v, b.v)); }
-HWY_INLINE Wide operator*(Wide a, Wide b) { return Wide(hn::Mul(a.v, b.v)); }
-HWY_INLINE Wide operator/(Wide a, Wide b) { return Wide(hn::Div(a.v, b.v)); }
-HWY_INLINE WideMask operator<(Wide a, Wide b) { return {hn::Lt(a.v, b.v)}; }
-HWY_INLINE WideMask operator>(Wide a, Wide b) { return {hn::Gt(a.v, b.v)}; }
-HWY_INLINE WideMask operator<=(Wide a, Wide b) { return {hn::Le(a.v, b.v)}; }
-HWY_INLINE WideMask operator>=(Wide a, Wide b) { return {hn::Ge(a.v, b.v)}; }
-HWY_INLINE WideMask operator==(Wide a, Wide b) { return {hn::Eq(a.v, b.v)}; }
-HWY_INLINE WideMask operator&(WideMask a, WideMask b) { return {hn::And(a.m, b.m)}; }
-HWY_INLINE WideMask operator!(WideMask a) { return {hn::Not(a.m)}; }
-HWY_INLINE WideMask operator|(WideMask a, WideMask b) { return {hn::Or(a.m, b.m)}; }
+#define TRISTIM_LANEWISE(result, name, function)            \
+  template <typename T>                                     \
+  HWY_INLINE result<T> name(VectorOf<T> a, VectorOf<T> b) { \
+    return result<T>{hn::function(a.v, b.v)};               \
+  }
+TRISTIM_LANEWISE(VectorOf, operator+, Add)
+TRISTIM_LANEWISE(VectorOf, operator-, Sub)
+TRISTIM_LANEWISE(VectorOf, operator*, Mul)
+TRISTIM_LANEWISE(VectorOf, operator/, Div)
+TRISTIM_LANEWISE(VectorOf, with_sign_of, CopySign)
+TRISTIM_LANEWISE(MaskOf, operator<, Lt)
+TRISTIM_LANEWISE(MaskOf, operator>, Gt)
+TRISTIM_LANEWISE(MaskOf, operator<=, Le)
+TRISTIM_LANEWISE(MaskOf, operator>=, Ge)
+TRISTIM_LANEWISE(MaskOf, operator==, Eq)
+#undef TRISTIM_LANEWISE
 
-HWY_INLINE Wide select(WideMask mask, Wide yes, Wide no) {
-  return Wide(hn::IfThenElse(mask.m, yes.v, no.v));
+template <typename T>
+HWY_INLINE MaskOf<T> operator&(MaskOf<T> a, MaskOf<T> b) {
+  return {hn::And(a.m, b.m)};
+}
+template <typename T>
+HWY_INLINE MaskOf<T> operator|(MaskOf<T> a, MaskOf<T> b) {
+  return {hn::Or(a.m, b.m)};
+}
+template <typename T>
+HWY_INLINE MaskOf<T> operator!(MaskOf<T> a) {
+  return {hn::Not(a.m)};
+}
+template <typename T>
+HWY_INLINE VectorOf<T> select(MaskOf<T> mask, VectorOf<T> yes, VectorOf<T> no) {
+  return VectorOf<T>(hn::IfThenElse(mask.m, yes.v, no.v));
 }
 // not Ne, which calls NaN equal to itself on some instruction sets
-HWY_INLINE WideMask is_nan(Wide x) { return {hn::Not(hn::Eq(x.v, x.v))}; }
-HWY_INLINE bool any(WideMask mask) { return !hn::AllFalse(Doubles(), mask.m); }
-HWY_INLINE Wide magnitude(Wide x) { return Wide(hn::Abs(x.v)); }
-HWY_INLINE Wide with_sign_of(Wide magnitude, Wide x) {
-  return Wide(hn::CopySign(magnitude.v, x.v));
+template <typename T>
+HWY_INLINE MaskOf<T> is_nan(VectorOf<T> x) {
+  return {hn::Not(hn::Eq(x.v, x.v))};
+}
+template <typename T>
+HWY_INLINE bool any(MaskOf<T> mask) {
+  return !hn::AllFalse(hn::ScalableTag<T>(), mask.m);
+}
+template <typename T>
+HWY_INLINE VectorOf<T> magnitude(VectorOf<T> x) {
+  return VectorOf<T>(hn::Abs(x.v));
 }
 HWY_INLINE Wide root(Wide x) { return Wide(hn::Sqrt(x.v)); }
 HWY_INLINE Wide whole_part(Wide x) { return Wide(hn::Trunc(x.v)); }
-HWY_INLINE Wide larger(Wide a, Wide b) { return select(a > b, a, b); }
-HWY_INLINE Wide smaller(Wide a, Wide b) { return select(a < b, a, b); }
+template <typename T>
+HWY_INLINE VectorOf<T> larger(VectorOf<T> a, VectorOf<T> b) {
+  return select(a > b, a, b);
+}
+template <typename T>
+HWY_INLINE VectorOf<T> smaller(VectorOf<T> a, VectorOf<T> b) {
+  return select(a < b, a, b);
+}
 
 HWY_INLINE hn::Vec<Bits> bits_of(Wide x) { return hn::BitCast(Bits(), x.v); }
 HWY_INLINE hn::Vec<Bits> bits(std::uint64_t x) { return hn::Set(Bits(), x); }
@@ -87,7 +122,41 @@ HWY_INLINE Wide inverse_cube_root_guess(Wide x) {
   return from_bits(hn::ShiftLeft<20>(bits_of((Wide(kInverseCubeRootBits) - third) + Wide(0x1p52))));
 }
 
-HWY_INLINE Wide where(WideMask mask, Wide x, Wide otherwise, double (*f)(double) noexcept) {
+HWY_INLINE hn::Vec<FloatBits> bits_of(Narrow x) { return hn::BitCast(FloatBits(), x.v); }
+HWY_INLINE hn::Vec<FloatBits> float_bits(std::uint32_t x) { return hn::Set(FloatBits(), x); }
+HWY_INLINE Narrow from_bits(hn::Vec<FloatBits> x) { return Narrow(hn::BitCast(WholeFloats(), x)); }
+
+HWY_INLINE Narrow inverse_cube_root_guess(Narrow x) {
+  const Narrow whole =
+      from_bits(hn::Or(hn::ShiftRight<8>(bits_of(x)), float_bits(kWholeFloatBits)));
+  return from_bits(hn::ShiftLeft<8>(bits_of(Narrow(kFloatCubeRootBits) - whole * Narrow(1.0 / 3))));
+}
+
+HWY_INLINE Narrow to_8_digits(Narrow x) {
+  const auto up = hn::Add(bits_of(x), float_bits(kHalfOf8Digits));
+  return from_bits(hn::And(up, float_bits(k8DigitsMask)));
+}
+
+// The halves of a vector of floats, and one of two halves.
+HWY_INLINE Wide low(Narrow x) {
+  return Wide(hn::PromoteTo(Doubles(), hn::LowerHalf(Floats(), x.v)));
+}
+HWY_INLINE Wide high(Narrow x) {
+  return Wide(hn::PromoteTo(Doubles(), hn::UpperHalf(Floats(), x.v)));
+}
+HWY_INLINE Narrow whole(Wide low, Wide high) {
+  return Narrow(
+      hn::Combine(WholeFloats(), hn::DemoteTo(Floats(), high.v), hn::DemoteTo(Floats(), low.v)));
+}
+
+template <typename F, typename... X>
+HWY_INLINE Three<Narrow> in_double(F&& f, X... x) {
+  const Three<Wide> a = f(low(x)...);
+  const Three<Wide> b = f(high(x)...);
+  return {whole(a.a, b.a), whole(a.b, b.b), whole(a.c, b.c)};
+}
+
+HWY_INLINE Wide where(MaskOf<double> mask, Wide x, Wide otherwise, double (*f)(double) noexcept) {
   if (!any(mask)) return otherwise;
   HWY_ALIGN double lanes[hn::MaxLanes(Doubles())];
   const Doubles d;
@@ -104,14 +173,14 @@ struct VectorLanes {
   static HWY_INLINE Wide load(const double* from) { return Wide(hn::Load(Doubles(), from)); }
   static HWY_INLINE void store(Wide x, double* to) { hn::Store(x.v, Doubles(), to); }
 
-  static HWY_INLINE Two<Three<Wide> > load_pixels(const float* in) {
+  static HWY_INLINE std::size_t pixels() { return hn::Lanes(WholeFloats()); }
+  static HWY_INLINE Three<Narrow> load_pixels(const float* in) {
     hn::Vec<WholeFloats> a, b, c;
     hn::LoadInterleaved3(WholeFloats(), in, a, b, c);
-    return {{low(a), low(b), low(c)}, {high(a), high(b), high(c)}};
+    return {Narrow(a), Narrow(b), Narrow(c)};
   }
-  static HWY_INLINE void store_pixels(const Two<Three<Wide> >& x, float* out) {
-    hn::StoreInterleaved3(whole(x.a.a, x.b.a), whole(x.a.b, x.b.b), whole(x.a.c, x.b.c),
-                          WholeFloats(), out);
+  static HWY_INLINE void store_pixels(const Three<Narrow>& x, float* out) {
+    hn::StoreInterleaved3(x.a.v, x.b.v, x.c.v, WholeFloats(), out);
   }
 
   static void load_block(const float* in, RowChannels channels, std::size_t count,
@@ -156,18 +225,6 @@ struct VectorLanes {
   }
 
  private:
-  // The halves of a vector of floats, and one of two halves.
-  static HWY_INLINE Wide low(hn::Vec<WholeFloats> x) {
-    return Wide(hn::PromoteTo(Doubles(), hn::LowerHalf(Floats(), x)));
-  }
-  static HWY_INLINE Wide high(hn::Vec<WholeFloats> x) {
-    return Wide(hn::PromoteTo(Doubles(), hn::UpperHalf(Floats(), x)));
-  }
-  static HWY_INLINE hn::Vec<WholeFloats> whole(Wide low, Wide high) {
-    return hn::Combine(WholeFloats(), hn::DemoteTo(Floats(), high.v),
-                       hn::DemoteTo(Floats(), low.v));
-  }
-
   static HWY_INLINE void load_colors(hn::Vec<Floats> a, hn::Vec<Floats> b, hn::Vec<Floats> c,
                                      std::size_t i, RowBlock& block) {
     const Wide x(hn::PromoteTo(Doubles(), a));

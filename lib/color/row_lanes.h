@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -12,19 +13,35 @@ namespace tristim::detail {
 // The operations that the row formulas are written in, on one lane. row_kernels_simd.cpp has the
 // same for vectors. Every one is exact or rounded once as IEEE says, so the two give the same bits.
 
-inline double select(bool mask, double yes, double no) noexcept { return mask ? yes : no; }
-inline bool is_nan(double x) noexcept { return std::isnan(x); }
+template <std::floating_point T>
+inline T select(bool mask, T yes, T no) noexcept {
+  return mask ? yes : no;
+}
+template <std::floating_point T>
+inline bool is_nan(T x) noexcept {
+  return std::isnan(x);
+}
 inline bool any(bool mask) noexcept { return mask; }
-inline double magnitude(double x) noexcept { return std::fabs(x); }
-inline double with_sign_of(double magnitude, double x) noexcept {
+template <std::floating_point T>
+inline T magnitude(T x) noexcept {
+  return std::fabs(x);
+}
+template <std::floating_point T>
+inline T with_sign_of(T magnitude, T x) noexcept {
   return std::copysign(magnitude, x);
 }
 inline double root(double x) noexcept { return std::sqrt(x); }
 inline double whole_part(double x) noexcept { return std::trunc(x); }
 
 // Where one is NaN: the second.
-inline double larger(double a, double b) noexcept { return a > b ? a : b; }
-inline double smaller(double a, double b) noexcept { return a < b ? a : b; }
+template <std::floating_point T>
+inline T larger(T a, T b) noexcept {
+  return a > b ? a : b;
+}
+template <std::floating_point T>
+inline T smaller(T a, T b) noexcept {
+  return a < b ? a : b;
+}
 
 inline constexpr double kRoundToWhole = 0x1.8p52;  // added and taken off again
 
@@ -57,6 +74,23 @@ inline double inverse_cube_root_guess(double x) noexcept {
   const double third = (std::bit_cast<double>(bits) - 0x1p52) * (1.0 / 3);
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>((kInverseCubeRootBits - third) + 0x1p52)
                                << 20);
+}
+
+/// The same of a normal float x > 0, and any number for 0, within 3.6 %.
+inline constexpr std::uint32_t kWholeFloatBits = 0x4b000000;  // 2^23
+inline constexpr double kFloatCubeRootBits = 16731311;        // 2^23 (1 + 1/3) and what is for 1.0
+inline float inverse_cube_root_guess(float x) noexcept {
+  const float whole =
+      std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) >> 8) | kWholeFloatBits);
+  const float guess = float(kFloatCubeRootBits) - whole * float(1.0 / 3);
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(guess) << 8);
+}
+
+/// A float rounded to 8 binary digits, whose cube is a float.
+inline constexpr std::uint32_t kHalfOf8Digits = 0x8000;
+inline constexpr std::uint32_t k8DigitsMask = 0xffff0000;
+inline float to_8_digits(float x) noexcept {
+  return std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) + kHalfOf8Digits) & k8DigitsMask);
 }
 
 /// f(x) where the mask holds, for the few numbers where a formula is too coarse.

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lib/color/oklab_matrices.h"
@@ -39,10 +40,14 @@ class Builder {
     add(kernels_.matrix, p);
   }
 
-  void add_oklab(const Eigen::Matrix3d& before, const Eigen::Matrix3d& after) {
+  void add_oklab(const RowKernel& kernel, const Eigen::Matrix3d& before,
+                 const Eigen::Matrix3d& after) {
     add_matrix(before);
-    steps_.back().kernel = kernels_.oklab;
-    Eigen::Map<RowMajor>(steps_.back().parameters.data() + 9) = after;
+    steps_.back().kernel = kernel;
+    RowParameters& p = steps_.back().parameters;
+    Eigen::Map<RowMajor>(p.data() + 9) = after;
+    std::transform(p.begin() + 9, p.begin() + 18, p.begin() + 18,
+                   [](double x) { return std::round(x * 4096) / 4096; });
   }
 
   /// w G + a (R - G) + b (B - G) with a row of `m`'s outer columns each, times `red` and `blue`.
@@ -68,7 +73,7 @@ class Builder {
   std::vector<RowStep> steps_;
 };
 
-// Kernels that do two steps, the first of them a matrix.
+// Kernels that do two steps.
 struct Pair {
   RowKernel RowKernels::*first;
   RowKernel RowKernels::*second;
@@ -80,9 +85,13 @@ constexpr Pair kPairs[] = {
     {&RowKernels::grey_matrix, &RowKernels::lab_from_ratios, &RowKernels::lab_of_grey_matrix},
     {&RowKernels::matrix, &RowKernels::luv_from_ratios, &RowKernels::luv_of_matrix},
     {&RowKernels::grey_matrix, &RowKernels::luv_from_ratios, &RowKernels::luv_of_grey_matrix},
+    {&RowKernels::ratios_from_lab, &RowKernels::matrix, &RowKernels::matrix_of_lab},
+    {&RowKernels::ratios_from_lab, &RowKernels::grey_matrix, &RowKernels::grey_matrix_of_lab},
+    {&RowKernels::ratios_from_luv, &RowKernels::matrix, &RowKernels::matrix_of_luv},
+    {&RowKernels::ratios_from_luv, &RowKernels::grey_matrix, &RowKernels::grey_matrix_of_luv},
 };
 
-constexpr std::size_t kMatrixNumbers = 9;
+constexpr std::size_t kFirstNumbers = 9;
 
 std::vector<RowStep> Builder::take() {
   std::vector<RowStep> steps;
@@ -99,8 +108,8 @@ std::vector<RowStep> Builder::take() {
       continue;
     }
     steps.back().kernel = kernels_.*pair->both;
-    std::copy_n(step.parameters.begin(), kMatrixNumbers,
-                steps.back().parameters.begin() + kMatrixNumbers);
+    std::copy_n(step.parameters.begin(), kFirstNumbers,
+                steps.back().parameters.begin() + kFirstNumbers);
   }
   return steps;
 }
@@ -189,13 +198,12 @@ Eigen::Matrix3d matrix_of(const double (&m)[3][3]) {
 }
 
 void to_oklab(Builder& rows, const ConversionStep& /*step*/) {
-  rows.add_oklab(matrix_of(kLmsFromSrgb), matrix_of(kLabFromRoots));
+  rows.add_oklab(rows.kernels().oklab, matrix_of(kLmsFromSrgb), matrix_of(kLabFromRoots));
 }
 
 void from_oklab(Builder& rows, const ConversionStep& /*step*/) {
-  rows.add_matrix(matrix_of(kLabFromRoots).inverse());
-  rows.add(rows.kernels().cube);
-  rows.add_matrix(matrix_of(kLmsFromSrgb).inverse());
+  rows.add_oklab(rows.kernels().linear_of_oklab, matrix_of(kLabFromRoots).inverse(),
+                 matrix_of(kLmsFromSrgb).inverse());
 }
 
 template <std::size_t system>

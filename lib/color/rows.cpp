@@ -17,9 +17,9 @@ struct RowConversion::Program {
   RowOptions options;
 
   /// The step that can do without a block.
-  const detail::RowStep* only_step(std::size_t in_channels, std::size_t out_channels) const {
-    const bool fits = steps.size() == 1 && steps[0].kernel.pixels != nullptr && in_channels == 3 &&
-                      out_channels == 3 && from_components == 3 && to_components == 3;
+  const detail::RowStep* only_step() const {
+    const bool fits = steps.size() == 1 && steps[0].kernel.pixels != nullptr &&
+                      from_components == 3 && to_components == 3;
     return fits ? &steps[0] : nullptr;
   }
 };
@@ -47,6 +47,27 @@ void apply_edge(const RowStep& step, RowBlock& block, std::size_t count) {
 void apply(const RowStep& step, RowBlock& block, std::size_t count) {
   if (step.edge != nullptr) return apply_edge(step, block, count);
   step.kernel.block(block, count, step.parameters);
+}
+
+// Pixels of three channels, or of others by way of three: a colour is the same beside any alpha.
+void apply_to_pixels(const RowStep& step, const float* in, std::size_t in_channels, float* out,
+                     std::size_t out_channels, std::size_t pixels, bool keep_undefined) {
+  if (in_channels == 3 && out_channels == 3) {
+    return step.kernel.pixels(in, out, pixels, step.parameters, keep_undefined);
+  }
+  float colors[3 * RowBlock::kSize];
+  for (std::size_t begin = 0; begin < pixels; begin += RowBlock::kSize) {
+    const std::size_t end = std::min(begin + RowBlock::kSize, pixels);
+    for (std::size_t i = begin; i < end; ++i) {
+      std::copy_n(in + i * in_channels, 3, colors + 3 * (i - begin));
+    }
+    step.kernel.pixels(colors, colors, end - begin, step.parameters, keep_undefined);
+    for (std::size_t i = begin; i < end; ++i) {
+      std::copy_n(colors + 3 * (i - begin), 3, out + i * out_channels);
+      if (out_channels > 3)
+        out[i * out_channels + 3] = in_channels > 3 ? in[i * in_channels + 3] : 1;
+    }
+  }
 }
 
 void check_channels(std::size_t channels, std::size_t components, std::string_view side) {
@@ -78,9 +99,9 @@ void RowConversion::operator()(std::span<const float> in, std::size_t in_channel
                                 std::to_string(in_channels) + " channels do not become " +
                                 std::to_string(out.size()) + " of " + std::to_string(out_channels));
   }
-  if (const detail::RowStep* only = program.only_step(in_channels, out_channels)) {
-    return only->kernel.pixels(in.data(), out.data(), pixels, only->parameters,
-                               program.options.keep_undefined);
+  if (const RowStep* only = program.only_step()) {
+    return apply_to_pixels(*only, in.data(), in_channels, out.data(), out_channels, pixels,
+                           program.options.keep_undefined);
   }
   RowBlock block{};
   for (std::size_t i = 0; i < pixels; i += RowBlock::kSize) {

@@ -17,6 +17,8 @@ struct RowOptions {
 ///
 /// It takes the way of a ColorConversion and computes in double, so a row differs from the double
 /// functions by the rounding to float: at most 0.52 units in the last place of the largest term.
+/// From RGB to HSV and HLS, and from XYZ and linear RGB to Lab, Luv and Oklab, colours that a
+/// display can show take floats: 1.5 units in the last place, roots 2, Lab and Luv 4e-5.
 /// docs/accuracy.md has the measured errors. NaN and infinities pass as they do there; the hue is
 /// below 360 in float as well. Copies share what they hold, and any number of threads may use one.
 class RowConversion {
