@@ -68,7 +68,7 @@ HWY_INLINE Three<F> apply_in_double(Three<F> c, const RowParameters& p) {
 template <typename Ratios>
 struct FastLab {
   template <typename F>
-  static HWY_INLINE auto takes(Three<F> c) {
+  static HWY_INLINE auto takes(Three<F> c, Three<F> /*result*/) {
     return size_of(c) < F(0x1p40);
   }
 
@@ -87,9 +87,10 @@ struct FastLab {
 // `Ratios`, then Luv: but for the root in double, since u* and v* reach several hundred.
 template <typename Ratios>
 struct FastLuv {
+  // Beyond 512 the rounding to float leaves the root no room.
   template <typename F>
-  static HWY_INLINE auto takes(Three<F> c) {
-    return size_of(c) < F(0x1p40);
+  static HWY_INLINE auto takes(Three<F> c, Three<F> result) {
+    return (size_of(c) < F(0x1p40)) & (magnitude(result.b) < F(512.0));
   }
 
   template <typename F>
@@ -107,7 +108,7 @@ struct FastLuv {
 struct FastOklab {
   // Cube roots of what is tiny need their floats normal.
   template <typename F>
-  static HWY_INLINE auto takes(Three<F> c) {
+  static HWY_INLINE auto takes(Three<F> c, Three<F> /*result*/) {
     const F size = size_of(c);
     return (size < F(0x1p60)) & ((size > F(0x1p-40)) | (size == F(0.0)));
   }
@@ -185,7 +186,7 @@ HWY_INLINE F least_of(Three<F> c) {
 
 struct FastHsv {
   template <typename F>
-  static HWY_INLINE auto takes(Three<F> c) {
+  static HWY_INLINE auto takes(Three<F> c, Three<F> /*result*/) {
     return (least_of(c) >= F(0.0)) & (size_of(c) < F(0x1p40));
   }
 
@@ -200,7 +201,7 @@ struct FastHsv {
 struct FastHls {
   // Beside white 2 - max - min has no digits.
   template <typename F>
-  static HWY_INLINE auto takes(Three<F> c) {
+  static HWY_INLINE auto takes(Three<F> c, Three<F> /*result*/) {
     const F max = larger(larger(c.a, c.b), c.c);
     const F min = least_of(c);
     const auto saturates = (max + min < F(2 - 0x1p-10)) | (max == min);

@@ -560,7 +560,7 @@ HWY_INLINE void run_group(const float* in, float* out, const RowParameters& p, d
   } else {
     using F = decltype(c.a);
     auto x = Fast::apply(c, p, F(undefined));
-    const auto usual = Fast::takes(c);
+    const auto usual = Fast::takes(c, x);
     if (any(!usual)) {
       const auto rest = in_double(exact, c.a, c.b, c.c);
       x = {select(usual, x.a, rest.a), select(usual, x.b, rest.b), select(usual, x.c, rest.c)};
