@@ -124,11 +124,14 @@ void declare(CommandLine& line, Options& options) {
   declare_diagram(line, options.diagram);
 }
 
-// A sole argument that is no colour but a file is one of rows.
+// A sole argument that is no colour but a file, or named like one, is one of rows.
 bool is_row_file(const Options& options, const ModelReference& from) {
+  if (options.words.size() != 1 || is_color_text(options.words[0], from)) return false;
   std::error_code ignored;
-  return options.words.size() == 1 && !is_color_text(options.words[0], from) &&
-         std::filesystem::is_regular_file(options.words[0], ignored);
+  const std::filesystem::path path(options.words[0]);
+  const std::string extension = path.extension().string();
+  return std::filesystem::exists(path, ignored) || same_name(extension, ".csv") ||
+         same_name(extension, ".txt");
 }
 
 void refuse_terminal_input(const std::string& what, const std::string& instead) {
@@ -167,8 +170,8 @@ std::vector<ColorRow> mixed(const std::vector<ColorRow>& rows, const ColorConver
     const Components last = to_mix(rows[i + 1].values);
     for (int step = 0; step < (options.at ? 1 : options.steps); ++step) {
       const double t = options.at.value_or(static_cast<double>(step) / (options.steps - 1));
-      mixtures.push_back(
-          {interpolate(to_mix.to(), first, last, t, options.arc), rows[i].odd || rows[i + 1].odd});
+      mixtures.push_back({.values = interpolate(to_mix.to(), first, last, t, options.arc),
+                          .odd = rows[i].odd || rows[i + 1].odd});
     }
   }
   return mixtures;
@@ -239,8 +242,12 @@ void draw(const Source& source, const Options& options) {
 void convert(Options& options) {
   Source source = read_source(options);
   if (!options.mix.empty()) {
-    const ColorConversion to_mix(source.model, parse_model(options.mix, "--mix"),
-                                 options.adaptation);
+    const ModelReference mix = parse_model(options.mix, "--mix");
+    if (mix.model->to_text != nullptr) {
+      throw Error(ErrorKind::kMisuse, "--mix", "the colours of '" + options.mix + "' are words",
+                  "give a model of numbers such as oklch");
+    }
+    const ColorConversion to_mix(source.model, mix, options.adaptation);
     source = {mixed(source.rows, to_mix, options), to_mix.to_reference()};
   }
   if (!options.diagram.output.empty()) draw(source, options);

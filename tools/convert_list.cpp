@@ -85,6 +85,7 @@ std::string context_text() {
                 std::string(curve.formula) + "; " + std::string(curve.domain) + "  " +
                     std::string(curve.source));
   }
+  text += row("bt1886,W,B", "", "white W and black B in cd/m2: rgb:bt709/bt1886,100,0.1");
   text += row("gammaN", "", "E = L^(1/N); N as 2.2 or 563/256") + "\n--adapt: source\n";
   for (const AdaptationMethod& method : kAdaptations) text += row(method.name, "", method.source);
   text += "\n--from spectrum FILE: how light is seen\n--observer: functions, source\n";

@@ -43,7 +43,8 @@ bool has_nan(const Components& c) {
 }
 
 // Where a colour that is one has no value in the next model, says why.
-void refuse_none(const ConversionStep& step, const Components& before, const Components& after) {
+void refuse_none(const ConversionStep& step, const Components& before, const Components& after,
+                 const std::string& place) {
   const bool up = base_of(*step.from) == step.to;
   const auto why = up ? step.from->why_none_to_base : step.to->why_none_from_base;
   for (std::size_t i = 0; i < component_count(*step.to); ++i) {
@@ -51,23 +52,25 @@ void refuse_none(const ConversionStep& step, const Components& before, const Com
   }
   if (why == nullptr) return;
   throw Error(ErrorKind::kContent,
-              std::string(step.from->name) + " " + color_text(*step.from, before, false),
+              (place.empty() ? "" : place + ": ") + std::string(step.from->name) + " " +
+                  color_text(*step.from, before, false),
               why(before));
 }
 
-void go_on(std::vector<Station>& way, const ColorConversion& conversion) {
+// `place` is that of the colour, for messages.
+void go_on(std::vector<Station>& way, const ColorConversion& conversion, const std::string& place) {
   const bool defined = !has_nan(way.back().values);
   for (const ConversionStep& step : conversion.steps()) {
     const Components before = way.back().values;
     const Components after = step.apply(before, step.context);
-    if (defined) refuse_none(step, before, after);
+    if (defined) refuse_none(step, before, after, place);
     way.push_back({step.to, after});
   }
 }
 
-std::vector<Station> way_of(const Components& color, const ColorConversion& conversion) {
-  std::vector<Station> way{{&conversion.from(), color}};
-  go_on(way, conversion);
+std::vector<Station> way_of(const ColorRow& row, const ColorConversion& conversion) {
+  std::vector<Station> way{{&conversion.from(), row.values}};
+  go_on(way, conversion, row.place);
   return way;
 }
 
@@ -77,17 +80,17 @@ struct GamutCount {
   std::size_t outside = 0, changed = 0;
 };
 
-std::vector<Station> way_of(const Components& color, const ColorConversion& conversion,
+std::vector<Station> way_of(const ColorRow& row, const ColorConversion& conversion,
                             GamutCount& gamut) {
-  if (gamut.mapping == nullptr) return way_of(color, conversion);
-  std::vector<Station> way = way_of(color, gamut.mapping->to_light());
+  if (gamut.mapping == nullptr) return way_of(row, conversion);
+  std::vector<Station> way = way_of(row, gamut.mapping->to_light());
   const Components& light = way.back().values;
   const auto mapped = (*gamut.mapping)(light);
   if (!has_nan(light) && !in_gamut({light[0], light[1], light[2]})) ++gamut.outside;
-  if (!mapped) return way_of(color, conversion);
+  if (!mapped) return way_of(row, conversion);
   ++gamut.changed;
   way.push_back({&gamut.mapping->from_light().from(), *mapped});
-  go_on(way, gamut.mapping->from_light());
+  go_on(way, gamut.mapping->from_light(), row.place);
   return way;
 }
 
@@ -157,7 +160,7 @@ void print_colors(std::span<const ColorRow> rows, const ColorConversion& convers
   std::string explanation;
   for (const std::string& step : steps) explanation += step + "\n";
   for (const ColorRow& row : rows) {
-    const std::vector<Station> way = way_of(row.values, conversion, count);
+    const std::vector<Station> way = way_of(row, conversion, count);
     const Components& out = way.back().values;
     explanation += options.explain && !options.json ? way_text(way, row.odd) : "";
     if (options.json && options.explain) ways.push_back(way_json(way));

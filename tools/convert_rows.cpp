@@ -179,13 +179,14 @@ std::vector<ColorRow> read_color_rows(std::string_view text, const std::string& 
     if (content.empty()) continue;
     if (const auto whole = reader.whole(content)) {
       rows.push_back(*whole);
+      rows.back().place = place;
       continue;
     }
     if (reader.is_of_words() || reader.is_broken_text(content)) {
       reader.refuse_text(place, std::string(content));
     }
     const std::vector<std::string> words = words_of(content);
-    ColorRow row;
+    ColorRow row{.place = place};
     for (std::size_t i = 0; i < words.size(); ++i) {
       const auto number = ColorReader::component(words[i], row);
       const std::string column = place + ", column " + std::to_string(i + 1);

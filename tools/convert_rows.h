@@ -12,6 +12,7 @@ namespace tristim::tools {
 struct ColorRow {
   Components values{};
   bool odd = false;
+  std::string place = {};  // "rows.txt, row 2" of colours of a text, for messages
 };
 
 /// The colours of the arguments: numbers, as many for each colour as the model has components,

@@ -55,6 +55,13 @@ DiagramColor named_white(Chromaticity white) {
   return {rounded(white.x, 4) + " " + rounded(white.y, 4), white};
 }
 
+void add_once(std::vector<DiagramGamut>& gamuts, const DiagramGamut& gamut) {
+  for (const DiagramGamut& known : gamuts) {
+    if (known.name == gamut.name && known.primaries == gamut.primaries) return;
+  }
+  gamuts.push_back(gamut);
+}
+
 }  // namespace
 
 void declare_diagram(CommandLine& line, DiagramOptions& options) {
@@ -107,20 +114,16 @@ ChromaticityDiagram diagram_of(const std::vector<ColorRow>& rows,
 }
 
 void add_gamut(ChromaticityDiagram& diagram, std::string_view model, std::string_view option) {
-  const auto gamut = gamut_of(model, option);
-  if (!gamut) return;
-  for (const DiagramGamut& known : diagram.gamuts) {
-    if (known.primaries == gamut->primaries) return;
-  }
-  diagram.gamuts.push_back(*gamut);
+  if (const auto gamut = gamut_of(model, option)) add_once(diagram.gamuts, *gamut);
 }
 
 void write_diagram(ChromaticityDiagram diagram, const DiagramOptions& options, bool force) {
+  refuse_other_drawings(options.output);
   refuse_taken_outputs({options.output}, force);
   diagram.plane = options.plane;
   diagram.limits = options.limits;
   diagram.ellipses = options.ellipses;
-  diagram.gamuts.insert(diagram.gamuts.end(), options.gamuts.begin(), options.gamuts.end());
+  for (const DiagramGamut& gamut : options.gamuts) add_once(diagram.gamuts, gamut);
   OutputFile file(options.output, force);
   file.write(chromaticity_diagram(diagram));
   file.commit();

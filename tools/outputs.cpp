@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tristim/core/error.h"
+#include "tristim/core/find.h"
 
 namespace tristim::tools {
 namespace {
@@ -125,6 +126,12 @@ void refuse_missing_inputs(const std::vector<std::string>& inputs) {
     throw Error(ErrorKind::kSystem, input, "cannot be opened: " + system_message(ENOENT),
                 "check the path");
   }
+}
+
+void refuse_other_drawings(const std::string& output) {
+  const std::string extension = fs::path(output).extension().string();
+  if (extension.empty() || output.starts_with("/dev/") || same_name(extension, ".svg")) return;
+  throw Error(ErrorKind::kMisuse, output, "does not end in .svg", "drawings are SVG");
 }
 
 void refuse_terminal(const std::string& output) {

@@ -28,6 +28,9 @@ void refuse_taken_outputs(const std::vector<std::string>& outputs, bool replace)
 /// Refuses an input that is not there, before any work is done. Throws Error (kSystem).
 void refuse_missing_inputs(const std::vector<std::string>& inputs);
 
+/// Refuses the name of a drawing that ends in another extension than .svg. Throws Error (kMisuse).
+void refuse_other_drawings(const std::string& output);
+
 /// Refuses "-" where that is a terminal. Throws Error (kMisuse).
 void refuse_terminal(const std::string& output);
 

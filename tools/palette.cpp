@@ -80,7 +80,9 @@ Chart chart_of(const Options& options, std::optional<ChartColor> background) {
     }
     return palette_chart(std::move(colors), std::move(background));
   }
-  const std::string text = read_text_file(first);
+  const std::string bytes = read_text_file(first);
+  std::string_view text = bytes;
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // the mark of UTF-8 files
   if (is_text(text)) return palette_chart(colors_of_text(text, first), std::move(background));
   Chart chart = picture_chart(first);
   chart.background = std::move(background);

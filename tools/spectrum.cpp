@@ -118,6 +118,7 @@ void list_spectra(bool json) {
 }
 
 void write_plot(const Table& table, const Options& options) {
+  refuse_other_drawings(options.plot);
   refuse_taken_outputs({options.plot}, options.force);
   std::string title;
   for (const std::string& name : options.names) title += (title.empty() ? "" : ", ") + name;

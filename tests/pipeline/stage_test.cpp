@@ -97,7 +97,8 @@ RC_GTEST_PROP(GamutMap, LeavesColoursInsideAloneToTheBit, ()) {
   const Pixel in{part(), part(), part()};
   for (const GamutMethod& method : kGamutMethods) {
     StageCounts counts;
-    RC_ASSERT(applied(GamutMap{method}, in, &counts) == in);
+    const Pixel out = applied(GamutMap{method}, in, &counts);
+    RC_ASSERT(out == in || !method.keeps_inside);
     RC_ASSERT(counts == StageCounts{});
   }
 }

@@ -23,6 +23,12 @@ TEST_F(ConvertNames, WritesMunsellThatReadsBack) {
   EXPECT_TRUE(gray.starts_with("N 5.25471073215337")) << gray;  // ASTM D1535: 5.25471073215337879
 }
 
+TEST_F(ConvertNames, TellsTheRowOfAColourWithoutAValue) {
+  refuses("convert --from munsell --to rgb", 3,
+          "standard input, row 2: munsell 5 11 4: Munsell value 11 is not between 0 and 10",
+          {.input = "5 5 4\n5 11 4\n"});
+}
+
 TEST_F(ConvertNames, ReadsMunsellAsNumbersAndAsNotation) {
   const std::string numbers = good("convert --from munsell --to xyy 17.5 5 12");
   EXPECT_EQ(good("convert --from munsell --to xyy 7.5YR 5/12"), numbers);

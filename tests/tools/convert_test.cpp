@@ -48,6 +48,22 @@ TEST_F(Convert, TakesCommentsThatAreNoColours) {
   EXPECT_EQ(good("convert --to rgb", rows("#comment\n1 0 0#end\n#00f # blue\n")), "1 0 0\n0 0 1\n");
 }
 
+TEST_F(Convert, TakesNamesOfFilesForFiles) {
+  refuses("convert --to lab none.csv", 1, "none.csv: there is no such file; check the name");
+  write("rows.csv", "1, 1, 1\n");
+  EXPECT_EQ(good("convert --to lab rows.csv"), "100 0 0\n");
+}
+
+TEST_F(Convert, MixesNoWords) {
+  refuses("convert --mix cns --to rgb red lime", 2,
+          "--mix: the colours of 'cns' are words; give a model of numbers such as oklch");
+}
+
+TEST_F(Convert, DrawsSvgAlone) {
+  refuses("convert red --diagram d.png", 2, "d.png: does not end in .svg; drawings are SVG");
+  EXPECT_FALSE(exists("d.png"));
+}
+
 TEST_F(Convert, TellsRowAndColumnOfAMistake) {
   refuses("convert --to lab", 3,
           "standard input, row 2: 2 numbers where 3 are expected; give R G B of rgb",

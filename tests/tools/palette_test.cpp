@@ -19,7 +19,7 @@ TEST_F(PaletteCheck, ReportsEveryGuideline) {
 }
 
 TEST_F(PaletteCheck, ReadsAFileOfColours) {
-  write("brand.txt", "navy\n#ffd700 # gold\n\n# more\nwhite, black\n");
+  write("brand.txt", "\xef\xbb\xbfnavy\r\n#ffd700 # gold\n\n# more\nwhite, black\n");
   const auto json = parsed(good("palette check brand.txt --json"));
   ASSERT_EQ(json["colors"].size(), 4U);
   EXPECT_EQ(json["colors"][1]["color"], "#ffd700");
