@@ -7,8 +7,11 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <variant>
 
 #include "lib/core/lanes_scalar.h"
+#include "lib/light/degrees.h"
 #include "lib/light/product.h"
 #include "lib/light/rows_constants.h"
 #include "tristim/core/text.h"
@@ -18,11 +21,21 @@ namespace tristim {
 namespace detail {
 namespace {
 
+// clang-format off: each builds on those before
 #include "lib/core/power-inl.h"
+#include "lib/light/rows_geometry-inl.h"
 #include "lib/light/rows_kernel-inl.h"
+#include "lib/light/rows_lobes-inl.h"
+// clang-format on
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLog2E = 1.4426950408889634;
+
+void set_place(RowLight& light, const Eigen::Vector3d& place) {
+  light.x = place.x();
+  light.y = place.y();
+  light.z = place.z();
+}
 
 void set_attenuation(RowLight& light, const Attenuation& a) {
   const std::string_view kind = a.kind.name;
@@ -42,24 +55,52 @@ float limited(double value, double most) {
   return static_cast<float>(std::clamp(value, -most, most));
 }
 
-RowLight row_light(const Light& light, const Rgb& diffuse, const Rgb& specular, double most) {
+void check(const char* what, double value, bool good, const char* expected) {
+  if (good) return;
+  throw std::invalid_argument(std::string(what) + ": " + shortest(value) + "; expected " +
+                              expected);
+}
+
+void set_spot(RowLight& light, const SpotLight& spot) {
+  const double cutoff = spot.cutoff_deg;
+  check("cutoff of a spot", cutoff, cutoff >= 0 && cutoff <= 180, "0 to 180");
+  check("exponent of a spot", spot.exponent, spot.exponent >= 0 && spot.exponent <= 1e6,
+        "0 to 1e6");
+  light.spot = cutoff < 180;
+  const Eigen::Vector3d back = normalize(-spot.direction);
+  light.axis_x = back.x();
+  light.axis_y = back.y();
+  light.axis_z = back.z();
+  const double edge = cos_deg(cutoff);
+  constexpr double kRounding = 1e-15;  // what lies on the edge is inside
+  light.edge2 = edge * std::fabs(edge) - kRounding;
+  light.spot_exponent = exponent_of(spot.exponent / 2);
+}
+
+struct PlacedLight {
   RowLight row;
-  Eigen::Vector3d place;
   Rgb intensity;
-  if (const auto* directional = std::get_if<DirectionalLight>(&light)) {
-    row.directional = true;
-    place = normalize(directional->to_light);
-    intensity = directional->intensity;
-  } else if (const auto* point = std::get_if<PointLight>(&light)) {
-    place = point->position;
-    intensity = point->intensity;
-    set_attenuation(row, point->attenuation);
-  } else {
-    throw std::invalid_argument("light of rows: a spot; expected a direction or a point");
-  }
-  row.x = place.x();
-  row.y = place.y();
-  row.z = place.z();
+};
+
+PlacedLight placed(const DirectionalLight& light) {
+  PlacedLight at{.row = {}, .intensity = light.intensity};
+  at.row.directional = true;
+  set_place(at.row, normalize(light.to_light));
+  return at;
+}
+
+// A point light or a spot.
+template <class Lamp>
+PlacedLight placed(const Lamp& light) {
+  PlacedLight at{.row = {}, .intensity = light.intensity};
+  set_place(at.row, light.position);
+  set_attenuation(at.row, light.attenuation);
+  if constexpr (std::is_same_v<Lamp, SpotLight>) set_spot(at.row, light);
+  return at;
+}
+
+RowLight row_light(const Light& light, const Rgb& diffuse, const Rgb& specular, double most) {
+  auto [row, intensity] = std::visit([](const auto& each) { return placed(each); }, light);
   row.diffuse_r = limited(intensity.r * diffuse.r, most);
   row.diffuse_g = limited(intensity.g * diffuse.g, most);
   row.diffuse_b = limited(intensity.b * diffuse.b, most);
@@ -67,12 +108,6 @@ RowLight row_light(const Light& light, const Rgb& diffuse, const Rgb& specular, 
   row.specular_g = limited(intensity.g * specular.g, most);
   row.specular_b = limited(intensity.b * specular.b, most);
   return row;
-}
-
-void check(const char* what, double value, bool good, const char* expected) {
-  if (good) return;
-  throw std::invalid_argument(std::string(what) + ": " + shortest(value) + "; expected " +
-                              expected);
 }
 
 void check_sizes(const SurfaceRows& s, const LightRows& out) {

@@ -15,6 +15,10 @@ struct RowLight {
   bool beer_lambert = false;  // f_att = 2^(c1 d), else 1/(c1 + c2 d + c3 d^2), at most `most`
   float c1 = 1, c2 = 0, c3 = 0;
   float most = 0;
+  bool spot = false;
+  double axis_x = 0, axis_y = 0, axis_z = 0;  // unit, from the cone back to the light
+  double edge2 = 0;        // cos(cutoff) times its magnitude, less a few of a double's last bits
+  Exponent spot_exponent;  // half of it, of the cosine's square
   // Ip kd Od (over pi for Cook-Torrance) and Ip ks Os
   float diffuse_r = 0, diffuse_g = 0, diffuse_b = 0;
   float specular_r = 0, specular_g = 0, specular_b = 0;

@@ -20,8 +20,12 @@ namespace tristim::detail {
 namespace HWY_NAMESPACE {
 
 #include "lib/core/lanes-inl.h"
+// clang-format off: each builds on those before
 #include "lib/core/power-inl.h"
+#include "lib/light/rows_geometry-inl.h"
 #include "lib/light/rows_kernel-inl.h"
+#include "lib/light/rows_lobes-inl.h"
+// clang-format on
 
 constexpr std::size_t kMostLanes = sizeof(VectorLanes::F) / sizeof(float);
 using Padded = std::array<float, kMostLanes>;

@@ -65,7 +65,12 @@ const std::vector<Light>& some_lights() {
                  .attenuation = {.kind = *find_by_name(kAttenuations, "inverse_square")}},
       PointLight{.position = {0, -3, 2},
                  .intensity = {3, 2, 1},
-                 .attenuation = {.kind = *find_by_name(kAttenuations, "beer_lambert"), .c1 = 0.5}}};
+                 .attenuation = {.kind = *find_by_name(kAttenuations, "beer_lambert"), .c1 = 0.5}},
+      SpotLight{.position = {1, -1, 4},
+                .direction = {-1, 2, -8},
+                .cutoff_deg = 15,
+                .exponent = 2.5,
+                .intensity = {2, 1, 1}}};
   return lights;
 }
 
@@ -203,6 +208,29 @@ TEST_F(ShadeRows, SumTheLightsAndTheAmbient) {
   }
 }
 
+TEST_F(ShadeRows, SpotsEndAtTheirEdge) {
+  // At 45 degrees on either side of the edge, on it, behind the light, and on the axis.
+  const std::vector<float> x{0.999999F, 1, 1.000001F, 0, 0};
+  const std::vector<float> z{0, 0, 0, 2, 0};
+  const std::vector<float> zeros(5, 0);
+  const std::vector<float> ones(5, 1);
+  for (const double cutoff : {45.0, 90.0, 180.0}) {
+    const Light light = SpotLight{
+        .position = {0, 0, 1}, .cutoff_deg = cutoff, .exponent = 3, .intensity = {1, 1, 1}};
+    RowShading shading = shading_of(kLambertRows);
+    shading.ambient = {};
+    shading.material = {.kd = 1};
+    shading.lights = {&light, 1};
+    Lit lit(5);
+    shade_rows(shading, {x, zeros, z, zeros, zeros, ones}, lit.view());
+    for (std::size_t i = 0; i < 5; ++i) {
+      const Incident arriving = incident(light, Vector3d(x[i], 0, z[i]));
+      const double expected = arriving.intensity.r * std::max(0.0, arriving.to_light.z());
+      EXPECT_NEAR(lit.rows[0][i], expected, 1e-6 * expected) << cutoff << ", " << x[i];
+    }
+  }
+}
+
 TEST_F(ShadeRows, DistantEyeIsADirection) {
   const Surface surface(50);
   RowShading shading = shading_of(kPhongRows);
@@ -257,6 +285,10 @@ TEST_F(ShadeRows, RefuseWhatTheyCannotShade) {
   shading = shading_of(kCookTorranceRows);
   shading.m = 0;
   EXPECT_THROW(shade_rows(shading, surface.view(8), fits.view()), std::invalid_argument);
+  const Light wide = SpotLight{.cutoff_deg = 181};
+  RowShading spot = shading_of(kPhongRows);
+  spot.lights = {&wide, 1};
+  EXPECT_THROW(shade_rows(spot, surface.view(8), fits.view()), std::invalid_argument);
   shading.m = 0.3;
   shading.eta = 0;
   EXPECT_THROW(shade_rows(shading, surface.view(8), fits.view()), std::invalid_argument);

@@ -62,15 +62,17 @@ struct RowShading {
   Rgb ambient = {};        // Ia
   Eigen::Vector3d eye{0, 0, 1};        // its place, or the direction to it
   bool local_viewer = true;            // `eye` is a place
-  std::span<const Light> lights = {};  // directional and point lights
+  std::span<const Light> lights = {};  // directional, point and spot lights
 };
 
 /// The complete illumination equation for each sample, ka Ia Od and the lights one after the other;
 /// lights behind the surface count as nothing, and an eye behind it does for Cook-Torrance. Powers
 /// below 2^-126 are 0. Same bits on every processor.
 ///
-/// Throws std::invalid_argument where rows differ in length, for other lights than directional and
-/// point lights, and for n, m or eta out of range.
+/// A spot's exponent adds to n in the bound, and its edge is sharp to 1e-15 of the cosine's square.
+///
+/// Throws std::invalid_argument where rows differ in length, and for n, m, eta or a spot's cutoff
+/// or exponent out of range.
 void shade_rows(const RowShading& shading, const SurfaceRows& surface, const LightRows& light);
 
 /// x^n for each sample by the kernel that the lobes use: within 2 ulp (measured: 1.4) for x > 0 and
