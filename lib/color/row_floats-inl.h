@@ -220,6 +220,24 @@ struct FastHls {
   }
 };
 
+// In double without the turns of hues in [0, 360].
+template <typename From>
+struct FastRgbFrom {
+  template <typename F>
+  static HWY_INLINE auto takes(Three<F> c, Three<F> /*result*/) {
+    return ((c.a >= F(0.0)) & (c.a <= F(360.0))) & (size_of(c) < F(0x1p40));
+  }
+
+  template <typename F>
+  static HWY_INLINE Three<F> apply(Three<F> c, const RowParameters&, F /*undefined*/) {
+    const auto rgb = [](auto x, auto y, auto z) HWY_ATTR {
+      using W = decltype(x);
+      return From::colors(x * W(1.0 / 60), Three<W>{x, y, z});
+    };
+    return in_double(rgb, c.a, c.b, c.c);
+  }
+};
+
 }  // namespace tristim::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

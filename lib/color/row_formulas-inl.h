@@ -187,9 +187,9 @@ HWY_INLINE W share(W sextants) {
   return larger(W(0.0), smaller(W(1.0), sextants));
 }
 
+// h: sixths of a turn in [0, 6].
 template <typename W>
-HWY_INLINE Three<W> from_hexagon(W hue, W max, W min) {
-  const W h = wrap(hue) / W(60.0);
+HWY_INLINE Three<W> from_hexagon(W h, W max, W min) {
   const W range = max - min;
   const auto grey = max == min;
   const auto channel = [&](W part)
@@ -207,10 +207,28 @@ struct HsvFromRgb {
   }
 };
 
-struct RgbFromHsv {
+// The colours by h, the position on the hexagon.
+struct FromHsv {
+  template <typename W>
+  static HWY_INLINE Three<W> colors(W h, Three<W> c) {
+    return from_hexagon(h, c.c, c.c * (W(1.0) - c.b));
+  }
+};
+
+struct FromHls {
+  template <typename W>
+  static HWY_INLINE Three<W> colors(W h, Three<W> c) {
+    const W half = c.c * select(c.b <= W(0.5), c.b, W(1.0) - c.b);
+    return from_hexagon(h, c.b + half, c.b - half);
+  }
+};
+
+// Of any hue.
+template <typename From>
+struct RgbFrom {
   template <typename W>
   static HWY_INLINE Three<W> apply(Three<W> c, const RowParameters&) {
-    return from_hexagon(c.a, c.c, c.c * (W(1.0) - c.b));
+    return From::colors(wrap(c.a) / W(60.0), c);
   }
 };
 
@@ -223,14 +241,6 @@ struct HlsFromRgb {
     const Two<W> out =
         hue_and_saturation(place, place.max - place.min, select(sum <= W(1.0), sum, rest));
     return {out.a, sum * W(0.5), out.b};
-  }
-};
-
-struct RgbFromHls {
-  template <typename W>
-  static HWY_INLINE Three<W> apply(Three<W> c, const RowParameters&) {
-    const W half = c.c * select(c.b <= W(0.5), c.b, W(1.0) - c.b);
-    return from_hexagon(c.a, c.b + half, c.b - half);
   }
 };
 
@@ -611,9 +621,9 @@ RowKernels all_kernels(std::string_view name) {
           .grey_matrix = run<GreyMatrix, Lanes>,
           .complement = run<Complement, Lanes>,
           .hsv_from_rgb = run<HsvFromRgb, Lanes, FastHsv>,
-          .rgb_from_hsv = run<RgbFromHsv, Lanes>,
+          .rgb_from_hsv = run<RgbFrom<FromHsv>, Lanes, FastRgbFrom<FromHsv>>,
           .hls_from_rgb = run<HlsFromRgb, Lanes, FastHls>,
-          .rgb_from_hls = run<RgbFromHls, Lanes>,
+          .rgb_from_hls = run<RgbFrom<FromHls>, Lanes, FastRgbFrom<FromHls>>,
           .swap_last = run<SwapLast, Lanes>,
           .hue = run<Hue, Lanes>,
           .lab_from_ratios = run<LabFromRatios, Lanes>,
