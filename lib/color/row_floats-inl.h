@@ -90,7 +90,9 @@ struct FastLuv {
   // Beyond 512 the rounding to float leaves the root no room.
   template <typename F>
   static HWY_INLINE auto takes(Three<F> c, Three<F> result) {
-    return (size_of(c) < F(0x1p40)) & (magnitude(result.b) < F(512.0));
+    const auto plain = size_of(c) < F(0x1p40);
+    const auto displayable = magnitude(result.b) < F(512.0);
+    return plain & displayable;
   }
 
   template <typename F>
@@ -187,7 +189,9 @@ HWY_INLINE F least_of(Three<F> c) {
 struct FastHsv {
   template <typename F>
   static HWY_INLINE auto takes(Three<F> c, Three<F> /*result*/) {
-    return (least_of(c) >= F(0.0)) & (size_of(c) < F(0x1p40));
+    const auto positive = least_of(c) >= F(0.0);
+    const auto plain = size_of(c) < F(0x1p40);
+    return positive & plain;
   }
 
   template <typename F>
