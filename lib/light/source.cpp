@@ -64,7 +64,7 @@ IncidentOf<Color> arriving(const PointLightOf<Color>& light, const Vector3d& poi
   // Finite places may be infinitely far apart; 0 times that distance would be NaN.
   const double d = std::min(length(toward), std::numeric_limits<double>::max());
   const double f_att = a.kind.factor(d, a.c1, a.c2, a.c3);
-  return {normalize(toward), product(f_att, light.intensity)};
+  return {view_vector(point, light.position), product(f_att, light.intensity)};
 }
 
 template <typename Color>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "lib/core/double_double.h"
@@ -101,10 +102,14 @@ Barycentric barycentric(std::span<const GouraudVertex, 3> triangle, const Vector
 double perspective_intensity(std::span<const GouraudVertex, 3> triangle,
                              const Vector2d& p) noexcept {
   const std::array<Dd, 3> parts = parts_of(triangle, p);
+  int exponent = 0;  // of the least w: only their ratios count, and 1/w of a tiny one overflows
+  (void)std::frexp(
+      std::min({std::fabs(triangle[0].w), std::fabs(triangle[1].w), std::fabs(triangle[2].w)}),
+      &exponent);
   Dd above = 0;
   Dd below = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Dd part = parts[i] / triangle[i].w;
+    const Dd part = parts[i] / usable(std::ldexp(triangle[i].w, -exponent));
     above = above + part * usable(triangle[i].intensity);
     below = below + part;
   }

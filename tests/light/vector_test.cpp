@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "tests/example_rows.h"
@@ -11,6 +12,11 @@ namespace tristim {
 namespace {
 
 using Eigen::Vector3d;
+
+TEST(ViewVector, ReachesFromOneEndOfTheNumbersToTheOther) {
+  const Vector3d v = view_vector({1.5e308, 0, -1.5e308}, {-1.5e308, 0, 1.5e308});
+  EXPECT_LT((v - Vector3d(-std::sqrt(0.5), 0, std::sqrt(0.5))).norm(), 3e-16);
+}
 
 TEST(Vector, NormalizeKeepsZeroAndMakesTheRestUnit) {
   EXPECT_EQ(normalize(Vector3d(0, 0, 0)), Vector3d(0, 0, 0));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace tristim {
 namespace {
@@ -33,6 +34,19 @@ TEST(Barycentric, IsTheSpansIntensityOnATriangle) {
   EXPECT_EQ(barycentric(line, p).alpha, 0);
   // parts 3/8, 1/8, 4/8; over w: 3/8, 1/8, 2/8
   EXPECT_EQ(perspective_intensity(kTriangle, p), (0.125 + 0.25 * kLow) / 0.75);
+}
+
+TEST(PerspectiveIntensity, CountsTheRatiosOfWAlone) {
+  const Vector2d p(1, 1);
+  for (const double scale : {5e-324, 1e-300, 1e300}) {
+    std::array<GouraudVertex, 3> triangle = kTriangle;
+    for (std::size_t i = 0; i < 3; ++i) triangle[i].w = scale * static_cast<double>(1 << i);
+    std::array<GouraudVertex, 3> plain = triangle;
+    for (GouraudVertex& vertex : plain) vertex.w /= scale;
+    EXPECT_EQ(perspective_intensity(triangle, p), perspective_intensity(plain, p));
+    triangle[2].w = 1e308;  // the corner is too far away to count
+    EXPECT_TRUE(std::isfinite(perspective_intensity(triangle, p)));
+  }
 }
 
 TEST(GouraudIncremental, EndsAtTheEnd) {

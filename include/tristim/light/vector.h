@@ -39,7 +39,9 @@ inline Eigen::Vector3d normalize(const Eigen::Vector3d& v) noexcept {
 /// V, from `point` to `eye` [Owen]; 0 where they are one.
 inline Eigen::Vector3d view_vector(const Eigen::Vector3d& point,
                                    const Eigen::Vector3d& eye) noexcept {
-  return normalize(eye - point);
+  const Eigen::Vector3d way = eye - point;
+  // Finite places may be infinitely far apart.
+  return normalize(way.allFinite() ? way : Eigen::Vector3d(0.5 * eye - 0.5 * point));
 }
 
 /// The mirror image of `to_light` about the normal, R = 2 (N.L) N - L [Shoaff 3.6]: P = N (N.L) is
