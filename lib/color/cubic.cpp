@@ -52,15 +52,21 @@ double root_between(const Cubic& cubic, double inside, double outside) noexcept 
 
 }  // namespace
 
-double first_inside(const Cubic& cubic, double from, double to) noexcept {
+Places roots_and_turns(const Cubic& cubic, double from, double to) noexcept {
+  Places places;
+  const auto add = [&](double t) { places.at[static_cast<std::size_t>(places.count++)] = t; };
   double before = from;
   const Stops way = stops(cubic, from, to);
   for (int i = 0; i < way.count; ++i) {
     const double stop = way.at[static_cast<std::size_t>(i)];
-    if (cubic(stop) >= 0) return root_between(cubic, stop, before);
+    const bool was_inside = cubic(before) >= 0;
+    if (was_inside != (cubic(stop) >= 0)) {
+      add(was_inside ? root_between(cubic, before, stop) : root_between(cubic, stop, before));
+    }
+    if (stop != to) add(stop);
     before = stop;
   }
-  return to;
+  return places;
 }
 
 double first_outside(const Cubic& cubic, double from, double to) noexcept {

@@ -19,9 +19,14 @@ struct Cubic {
   }
 };
 
-/// The first t on the way from `from` to `to` (either may be the larger) at which the cubic, below
-/// 0 at `from`, reaches 0; `to` where it does not.
-double first_inside(const Cubic& cubic, double from, double to) noexcept;
+/// Up to five places.
+struct Places {
+  std::array<double, 5> at{};
+  int count = 0;
+};
+
+/// Where, strictly between `from` and `to` (from < to), the slope is 0 or the cubic changes sign.
+Places roots_and_turns(const Cubic& cubic, double from, double to) noexcept;
 
 /// The first t on the way at which the cubic, not below 0 at `from`, goes below 0; `to` where it
 /// does not.

@@ -60,45 +60,65 @@ Rgb color_at(const ChromaLine& line, double t) noexcept {
   return clipped({line.channels[0](t), line.channels[1](t), line.channels[2](t)});
 }
 
-// How far a channel is inside: from black and from white. Black gives way by a thousandth of the
-// sum of the channels, and the clip takes it away: next to blue the gamuts of sRGB and BT.2020 have
-// bays of that depth, at whose mouths neighbouring colours would part.
-std::array<Cubic, 6> margins(const ChromaLine& line) noexcept {
-  constexpr double kBay = 1e-3;  // .0007 in sRGB; turns hues by less than .6 degrees
-  std::array<Cubic, 6> all;
-  for (std::size_t k = 0; k < 4; ++k) {
-    double sum = 0;
-    for (const Cubic& channel : line.channels) sum += channel.c[k];
-    for (std::size_t j = 0; j < 3; ++j) {
-      all[j].c[k] = line.channels[j].c[k] + kBay * sum;
-      all[3 + j].c[k] = (k == 0 ? kWhite : 0) - line.channels[j].c[k];
-    }
+// How far each channel is inside: from black and from white.
+using Margins = std::array<Cubic, 6>;
+
+Margins margins(const ChromaLine& line) noexcept {
+  Margins all;
+  for (std::size_t j = 0; j < 3; ++j) {
+    all[j] = line.channels[j];
+    for (std::size_t k = 0; k < 4; ++k) all[3 + j].c[k] = -line.channels[j].c[k];
+    all[3 + j].c[0] += kWhite;
   }
   return all;
 }
 
-// The largest part of the chroma, at most 1, at which the colour is inside.
-double last_inside(const ChromaLine& line) noexcept {
-  constexpr double kRounding = 1e-14;
-  const std::array<Cubic, 6> all = margins(line);
-  double t = 1;
-  for (int round = 0; round < 8; ++round) {  // 1 is enough but for gamuts with bays
-    const double before = t;
-    for (const Cubic& margin : all) {
-      if (margin(t) < -kRounding * std::fabs(margin.c[0])) t = first_inside(margin, t, 0);
-    }
-    if (t == before) break;
+// The smallest part of the chroma, at most `most`, at which the colour goes outside.
+double first_outside(const Margins& all, double most) noexcept {
+  double t = most;
+  for (const Cubic& margin : all) {
+    if (!margin.surely_positive(t)) t = detail::first_outside(margin, 0, t);
   }
   return t;
 }
 
-// The smallest part of the chroma, at most `most`, at which the colour goes outside.
-double first_outside(const ChromaLine& line, double most) noexcept {
-  double t = most;
-  for (const Cubic& margin : margins(line)) {
-    if (!margin.surely_positive(t)) t = detail::first_outside(margin, 0, t);
+// How far the colour at t is outside, over the sum of its channels; no colour has a sum of 0.
+double depth(const ChromaLine& line, const Margins& all, double t) noexcept {
+  double least = 0;
+  for (const Cubic& margin : all) least = std::fmin(least, margin(t));
+  double sum = 0;
+  for (const Cubic& channel : line.channels) sum += channel(t);
+  return least < 0 ? (sum > 0 ? -least / sum : 1) : 0;
+}
+
+// The part of the chroma, at most `most`, that stays.
+//
+// Next to blue the gamuts of sRGB and BT.2020 have bays: on some lines the colour goes outside,
+// comes back and leaves again. Neither the first way out nor the last is continuous from line to
+// line, since bays close and what lies beyond them vanishes. So places beyond the first way out
+// count in proportion to how little outside they are; the clip takes that little away. The colour's
+// own place counts likewise, but only in so far as there is something beyond.
+double inside_part(const ChromaLine& line, double most) noexcept {
+  constexpr double kBay = 1e-3;  // bays are .0007 deep in sRGB; turns hues by less than .6 degrees
+  constexpr double kFar = 16;    // no bay is that wide
+  const Margins all = margins(line);
+  const double first = first_outside(all, most);
+  if (first >= most) return most;
+  const auto reach = [&](double t) {
+    const double weight = 1 - depth(line, all, t) / kBay;
+    return first + std::fmax(weight, 0) * (t - first);
+  };
+  double before = first;
+  double farthest = first;
+  for (const Cubic& margin : all) {
+    const detail::Places places = detail::roots_and_turns(margin, first, kFar * first);
+    for (int i = 0; i < places.count; ++i) {
+      const double t = places.at[static_cast<std::size_t>(i)];
+      farthest = std::fmax(farthest, reach(t));
+      if (t < most) before = std::fmax(before, reach(t));
+    }
   }
-  return t;
+  return farthest > first ? std::fmax(before, std::fmin(reach(most), farthest)) : first;
 }
 
 }  // namespace
@@ -119,14 +139,14 @@ Rgb gamut_desaturate(Rgb rgb, const GamutSpace& space) noexcept {
   const ChromaLine line = chroma_line(rgb, space);
   if (line.lightness >= 1) return {1, 1, 1};
   if (line.lightness <= 0) return {};
-  return color_at(line, last_inside(line));
+  return color_at(line, inside_part(line, 1));
 }
 
 Rgb gamut_compress(Rgb rgb, const GamutSpace& space) noexcept {
   const ChromaLine line = chroma_line(rgb, space);
   if (line.lightness >= 1) return {1, 1, 1};
   if (line.lightness <= 0) return {};
-  const double largest = first_outside(line, 1 / kCompressKnee);
+  const double largest = inside_part(line, 1 / kCompressKnee);
   if (largest >= 1 / kCompressKnee) return clipped(rgb);
   const double z = (1 / largest - kCompressKnee) / (1 - kCompressKnee);
   return color_at(line, largest * (kCompressKnee + (1 - kCompressKnee) / (1 + 1 / z)));

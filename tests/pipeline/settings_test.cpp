@@ -32,7 +32,7 @@ const Example kExamples[] = {
      "'nan' is no exposure; give stops from -64 to 64, such as 1.5 or -2"},
     {"tone-map", "\"reinhard:8\"", "\"reinhard:0\"",
      "'reinhard:0' is no tone map; give the luminance that becomes white, as in reinhard:8"},
-    {"adapt", "\"cat16\"", "\"cat61\"", "unknown adaptation 'cat61'; did you mean cat16?"},
+    {"adapt", "\"cat16\"", "\"cat61\"", "unknown adaptation 'cat61'; did you mean cat02?"},
     {"gamut-map", "\"desaturate\"", "\"clap\"", "unknown gamut map 'clap'; did you mean clip?"},
     {"black-point", "\"absolute\"", "\"absolut\"",
      "unknown black point 'absolut'; did you mean absolute?"},

@@ -96,6 +96,7 @@ RC_GTEST_PROP(GamutMap, LeavesColoursInsideAloneToTheBit, ()) {
   const auto part = [] { return static_cast<float>(*rc::gen::inRange(0, 10001)) / 10000.0F; };
   const Pixel in{part(), part(), part()};
   for (const GamutMethod& method : kGamutMethods) {
+    if (!method.keeps_inside) continue;
     StageCounts counts;
     const Pixel out = applied(GamutMap{method}, in, &counts);
     RC_ASSERT(out == in || !method.keeps_inside);

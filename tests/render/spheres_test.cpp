@@ -197,10 +197,13 @@ TEST(DefaultScene, HasBothModelsBothKindsOfLightAndANeutralSphere) {
     EXPECT_TRUE(std::any_of(scene.spheres.begin(), scene.spheres.end(),
                             [&](const Sphere& sphere) { return sphere.model.name == model.name; }));
   }
-  for (std::size_t kind = 0; kind < std::variant_size_v<Light>; ++kind) {
-    EXPECT_TRUE(std::any_of(scene.lights.begin(), scene.lights.end(),
-                            [&](const SceneLight& light) { return light.light.index() == kind; }));
-  }
+  const auto holds = [&](auto kind) {
+    return std::any_of(scene.lights.begin(), scene.lights.end(), [](const SceneLight& light) {
+      return std::holds_alternative<decltype(kind)>(light.light);
+    });
+  };
+  EXPECT_TRUE(holds(DirectionalLight{}));
+  EXPECT_TRUE(holds(PointLight{}));
   const Rgb grey = scene.spheres[0].material.od;
   EXPECT_EQ(grey, (Rgb{grey.r, grey.r, grey.r}));
 }

@@ -23,7 +23,7 @@ TEST_F(Compare, PrintsOneDifference) {
               1e-13);
   EXPECT_NEAR(number(good("compare --from lab --difference CMC:1:1" + pair)), 1.7387361057261508,
               1e-13);
-  EXPECT_EQ(good("compare --difference ok black white black black"), "0.9999999934735462\n0\n");
+  EXPECT_EQ(good("compare --difference ok black white black black"), "0.9999999934735468\n0\n");
 }
 
 TEST_F(Compare, PrintsAllDifferencesOfEachPair) {

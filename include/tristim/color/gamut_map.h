@@ -35,9 +35,8 @@ Rgb gamut_clip(Rgb rgb, const GamutSpace& space) noexcept;
 /// chroma inside that is at most the colour's. Colours inside stay as they are to the bit;
 /// lightness beyond white's becomes white, below black's black.
 ///
-/// Hue within .6 degrees, lightness within .003. Continuous for sRGB, Display P3, BT.2020, Adobe
-/// RGB and all gamuts whose slices of one hue have no bays next to blue deeper than a thousandth;
-/// in deeper ones colours beyond the bay keep their side of it.
+/// Continuous. Hue within .9 degrees and lightness within .003 for the gamuts of displays; those of
+/// cameras and ProPhoto, whose primaries no light has, turn the darkest blues by more.
 Rgb gamut_desaturate(Rgb rgb, const GamutSpace& space) noexcept;
 
 /// Chroma above kCompressKnee of the largest at its Oklab lightness and hue is compressed so that
