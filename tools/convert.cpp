@@ -187,6 +187,9 @@ PictureJob picture_job(const Options& options) {
   if (options.gamut_map) {
     throw Error(ErrorKind::kMisuse, "--gamut-map", "is for colours", "use process for pictures");
   }
+  if (options.print.json) {
+    throw Error(ErrorKind::kMisuse, "--json", "is for colours", "leave it out, or leave out -o");
+  }
   return {.input = options.words[0],
           .output = options.output,
           .from = options.print.from,

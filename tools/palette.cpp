@@ -1,4 +1,6 @@
+#include <cctype>
 #include <filesystem>
+#include <fstream>
 
 #include "tools/commands.h"
 #include "tools/palette_picture.h"
@@ -68,22 +70,45 @@ bool is_text(std::string_view bytes) {
   return !(bytes.size() > 1 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '7');
 }
 
-Chart chart_of(const Options& options, std::optional<ChartColor> background) {
+// The first bytes of a file, enough to tell text from a picture; none where it cannot be read.
+std::string head_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(256, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head;
+}
+
+// A word alone that is no colour is a file where there is one, or where it looks like one.
+bool names_file(const Options& options) {
+  if (options.words.size() != 1 || parse_color(options.words.front())) return false;
   std::error_code ignored;
+  const std::filesystem::path path = options.words.front();
+  const std::string extension = path.extension().string();
+  return std::filesystem::exists(path, ignored) || path.has_parent_path() ||
+         (extension.size() > 1 && std::isalpha(static_cast<unsigned char>(extension[1])) != 0);
+}
+
+constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
+
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with(kUtf8Mark)) text.remove_prefix(kUtf8Mark.size());
+  return text;
+}
+
+Chart chart_of(const Options& options, std::optional<ChartColor> background) {
   const std::string& first = options.words.front();
-  const bool file =
-      options.words.size() == 1 && !parse_color(first) && std::filesystem::exists(first, ignored);
-  if (!file) {
+  if (!names_file(options)) {
     std::vector<ChartColor> colors;
     for (const std::string& word : options.words) {
       colors.push_back(parse_chart_color(word, "palette check"));
     }
     return palette_chart(std::move(colors), std::move(background));
   }
-  const std::string bytes = read_text_file(first);
-  std::string_view text = bytes;
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // the mark of UTF-8 files
-  if (is_text(text)) return palette_chart(colors_of_text(text, first), std::move(background));
+  if (is_text(without_mark(head_of(first)))) {
+    const std::string text = read_text_file(first);
+    return palette_chart(colors_of_text(without_mark(text), first), std::move(background));
+  }
   Chart chart = picture_chart(first);
   chart.background = std::move(background);
   return chart;

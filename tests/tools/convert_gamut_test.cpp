@@ -57,6 +57,8 @@ TEST_F(ConvertGamut, RefusesModelsWithoutAGamut) {
           "--gamut-map: unknown gamut map 'clp'; did you mean clip?");
   refuses("convert --to hsv s.exr -o o.exr --gamut-map clip", 2,
           "--gamut-map: is for colours; use process for pictures");
+  refuses("convert --to hsv s.exr -o o.exr --json", 2,
+          "--json: is for colours; leave it out, or leave out -o");
 }
 
 }  // namespace

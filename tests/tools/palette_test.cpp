@@ -40,6 +40,7 @@ TEST_F(PaletteCheck, TellsMistakes) {
   write("none.txt", "# nothing\n");
   refuses("palette check bad.txt", 3, "bad.txt, row 2: 'navvy' is no colour; did you mean navy?");
   refuses("palette check none.txt", 3, "none.txt: holds no colours");
+  refuses("palette check nowhere.txt", 1, "nowhere.txt: there is no such file; check the name");
   refuses("palette check redd blue", 3, "palette check: 'redd' is no colour; did you mean red?");
   refuses("palette", 2, "palette: an action is missing; write palette check ...");
   refuses("palette check", 2,
