@@ -14,6 +14,10 @@ namespace {
 
 constexpr DoubleDouble square(DoubleDouble x) noexcept { return x * x; }
 
+bool any_nan(double a, double b, double c) noexcept {
+  return std::isnan(a) || std::isnan(b) || std::isnan(c);
+}
+
 // The light as it comes from the front.
 struct Meeting {
   DoubleDouble c;    // cos_i in [0, 1]
@@ -45,6 +49,7 @@ DoubleDouble g_squared(const Meeting& m) noexcept {
 }  // namespace
 
 DoubleDouble fresnel_dielectric(DoubleDouble cos_i, double eta_i, double eta_t) noexcept {
+  if (any_nan(cos_i.hi, eta_i, eta_t)) return std::numeric_limits<double>::quiet_NaN();
   const Meeting m = meeting_of(cos_i, eta_i, eta_t);
   if (one_medium(m)) return 0;
   const DoubleDouble g2 = g_squared(m);
@@ -62,6 +67,7 @@ double fresnel_by_indices(double cos_i, double eta_i, double eta_t) noexcept {
 }
 
 double fresnel_by_angles(double cos_i, double eta_i, double eta_t) noexcept {
+  if (any_nan(cos_i, eta_i, eta_t)) return std::numeric_limits<double>::quiet_NaN();
   const Meeting m = meeting_of(cos_i, eta_i, eta_t);
   if (one_medium(m)) return 0;
   const DoubleDouble sin2_i = 1 - square(m.c);

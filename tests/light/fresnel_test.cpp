@@ -63,6 +63,13 @@ TEST(Fresnel, ConductorHasAComplexIndex) {
   }
 }
 
+TEST(Fresnel, NanStaysNan) {
+  const double nan = std::nan("");
+  EXPECT_TRUE(std::isnan(fresnel_dielectric(nan, 1, 1.5)));
+  EXPECT_TRUE(std::isnan(fresnel_dielectric(0.5, nan, 1.5)));
+  EXPECT_TRUE(std::isnan(fresnel_dielectric(0.5, 1, nan)));
+}
+
 TEST(Fresnel, IndexComesBackFromTheReflectance) {
   EXPECT_EQ(f0_from_eta(1.5), 0.04);
   EXPECT_EQ(eta_from_f0(0.04), 1.5);
