@@ -170,7 +170,7 @@ std::vector<ColorRow> read_color_arguments(const std::vector<std::string>& argum
 std::vector<ColorRow> read_color_rows(std::string_view text, const std::string& name,
                                       const ModelReference& model) {
   const ColorReader reader(model);
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // the mark of UTF-8 files
+  text = without_utf8_mark(text);
   std::vector<ColorRow> rows;
   std::size_t line_number = 0;
   for (const std::string_view line : split(text, '\n')) {

@@ -3,6 +3,7 @@
 #include <cerrno>
 
 #include "tristim/core/error.h"
+#include "tristim/core/text.h"
 
 namespace tristim::tools {
 namespace {
@@ -75,7 +76,7 @@ bool TextLines::next(std::string& line) {
     line += static_cast<char>(c);
   }
   if (!line.empty() && line.back() == '\r') line.pop_back();
-  if (number_ == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+  if (number_ == 1) line = std::string(without_utf8_mark(line));
   return true;
 }
 

@@ -89,13 +89,6 @@ bool names_file(const Options& options) {
          (extension.size() > 1 && std::isalpha(static_cast<unsigned char>(extension[1])) != 0);
 }
 
-constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
-
-std::string_view without_mark(std::string_view text) {
-  if (text.starts_with(kUtf8Mark)) text.remove_prefix(kUtf8Mark.size());
-  return text;
-}
-
 Chart chart_of(const Options& options, std::optional<ChartColor> background) {
   const std::string& first = options.words.front();
   if (!names_file(options)) {
@@ -105,9 +98,9 @@ Chart chart_of(const Options& options, std::optional<ChartColor> background) {
     }
     return palette_chart(std::move(colors), std::move(background));
   }
-  if (is_text(without_mark(head_of(first)))) {
+  if (is_text(without_utf8_mark(head_of(first)))) {
     const std::string text = read_text_file(first);
-    return palette_chart(colors_of_text(without_mark(text), first), std::move(background));
+    return palette_chart(colors_of_text(without_utf8_mark(text), first), std::move(background));
   }
   Chart chart = picture_chart(first);
   chart.background = std::move(background);

@@ -109,7 +109,7 @@ bool names_thermal_light(std::string_view text) noexcept {
 }
 
 std::vector<NamedSpectrum> parse_spectra(std::string_view text, std::string_view name) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // the mark of UTF-8 files
+  text = without_utf8_mark(text);
   SpectraReader reader(name);
   std::size_t row = 0;
   for (const std::string_view line : split(text, '\n')) {

@@ -105,5 +105,12 @@ RC_GTEST_PROP(Split, JoinedAgainGivesTheText, (std::string text)) {
   RC_ASSERT(joined == text);
 }
 
+TEST(WithoutUtf8Mark, TakesOneAwayInFront) {
+  EXPECT_EQ(without_utf8_mark("\xef\xbb\xbfred"), "red");
+  EXPECT_EQ(without_utf8_mark("red"), "red");
+  EXPECT_EQ(without_utf8_mark("\xef\xbb"), "\xef\xbb");
+  EXPECT_EQ(without_utf8_mark(""), "");
+}
+
 }  // namespace
 }  // namespace tristim

@@ -25,4 +25,7 @@ std::optional<long long> parse_integer(std::string_view text) noexcept;
 /// The parts of `text` between `separator`s; empty parts are kept.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// `text` without the mark that some programs put in front of UTF-8 (U+FEFF).
+std::string_view without_utf8_mark(std::string_view text) noexcept;
+
 }  // namespace tristim
