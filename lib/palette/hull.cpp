@@ -13,8 +13,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kFlat = 1e-7;  // thinner than any device's step of light
-constexpr double kThin =
-    1e-4;  // a palette thinner than this has no volume: greys off the axis by rounding
+constexpr float kThin =
+    1e-4F;  // a palette thinner than this has no volume: greys off the axis by rounding
+constexpr float kRounding = 5e-7F;  // of the height of a colour in floats above a face
 
 const Vector3d kLuminance(0.2126, 0.7152, 0.0722);
 
@@ -84,16 +85,32 @@ std::vector<Face> faces_of(const std::vector<Vector3d>& points,
   return faces;
 }
 
+// To the nearest point of what the basis spans.
+Matrix3d projection(const std::vector<Vector3d>& basis) {
+  Matrix3d nearest = Matrix3d::Zero();
+  for (const Vector3d& b : basis) nearest += b * b.transpose();
+  return nearest;
+}
+
 // To the nearest point of what the basis spans that has the same luminance: of p - c, B t with t =
 // B'(p - c) - lambda a, a = B'w, w.B t = w.(p - c). Where the span has one luminance only, to the
 // nearest point.
-Matrix3d flattening(const std::vector<Vector3d>& basis) {
-  Matrix3d nearest = Matrix3d::Zero();
-  for (const Vector3d& b : basis) nearest += b * b.transpose();
+Matrix3d flattening(const Matrix3d& nearest) {
   const Vector3d slope = nearest * kLuminance;
   const double slope2 = slope.squaredNorm();
   if (slope2 < kThin) return nearest;
   return nearest + slope * (kLuminance - nearest * kLuminance).transpose() / slope2;
+}
+
+std::array<std::array<float, 3>, 3> floats(const Matrix3d& matrix) {
+  std::array<std::array<float, 3>, 3> rows{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      rows[row][column] = static_cast<float>(
+          matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
+    }
+  }
+  return rows;
 }
 
 }  // namespace
@@ -111,13 +128,8 @@ PaletteHull::PaletteHull(std::span<const Color> entries) {
              static_cast<float>(mean.z())};
   const std::vector<Vector3d> basis = span_of(points, mean);
   flat_ = basis.size() < 3;
-  const Matrix3d flatten = flattening(basis);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      flatten_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-          static_cast<float>(flatten(row, column));
-    }
-  }
+  nearest_ = floats(projection(basis));
+  flatten_ = floats(flattening(projection(basis)));
   for (const Face& face : faces_of(points, basis)) {
     faces_.push_back({{static_cast<float>(face.normal.x()), static_cast<float>(face.normal.y()),
                        static_cast<float>(face.normal.z())},
@@ -127,14 +139,18 @@ PaletteHull::PaletteHull(std::span<const Color> entries) {
 
 PaletteHull::Color PaletteHull::flattened(const Color& color) const noexcept {
   if (!flat_) return color;
-  constexpr float kRounding = 1e-6F;  // a colour that lies there already stays as it is
   Color moved = centre_;
-  float way = 0;
+  float off2 = 0;  // squared distance from the line or plane; what entries mix is within kThin
   for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t c = 0; c < 3; ++c) moved[row] += flatten_[row][c] * (color[c] - centre_[c]);
-    way = std::max(way, std::abs(moved[row] - color[row]));
+    float off = color[row] - centre_[row];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float from_centre = color[c] - centre_[c];
+      off -= nearest_[row][c] * from_centre;
+      moved[row] += flatten_[row][c] * from_centre;
+    }
+    off2 += off * off;
   }
-  return way < kRounding ? color : moved;
+  return off2 <= kThin * kThin ? color : moved;
 }
 
 // The first point inside on the straight way from `color` to `anchor`, which is inside.
@@ -146,7 +162,8 @@ PaletteHull::Color PaletteHull::towards(const Color& color, const Color& anchor)
   for (const HalfSpace& face : faces_) {
     const float outside = height(face, color);
     const float at_anchor = std::min(height(face, anchor), 0.0F);
-    if (outside > 0) part = std::max(part, outside / (outside - at_anchor));
+    // Within rounding it is inside: beside a thin edge of the hull the way in may be long.
+    if (outside > kRounding) part = std::max(part, outside / (outside - at_anchor));
   }
   if (part == 0) return color;
   Color moved{};

@@ -117,7 +117,8 @@ TEST(Hls, HasNoSaturationWhereItsDenominatorVanishes) {
 RC_GTEST_PROP(Hsv, ComesBackInsideAndOutsideTheCube, ()) {
   const auto part = [] { return *rc::gen::inRange(-200, 1500) / 1000.0; };
   const EncodedRgb rgb{part(), part(), part()};
-  // A saturation beside a denominator of 0 is huge, and multiplies the rounding of what it is made of.
+  // A saturation beside a denominator of 0 is huge, and multiplies the rounding of what it is made
+  // of.
   const auto near = [&](EncodedRgb back, double saturation) {
     const double bound = 2e-15 * (1 + std::fabs(saturation));
     return std::fabs(back.r - rgb.r) < bound && std::fabs(back.g - rgb.g) < bound &&

@@ -18,7 +18,8 @@ class PaletteHull {
   /// as it is.
   explicit PaletteHull(std::span<const Color> entries);
 
-  /// `color` itself where it can be mixed. Else it comes to the line or plane of a palette without
+  /// `color` itself where it can be mixed, within 1e-4 of a line or plane that all entries lie so
+  /// near to. Else it comes to the line or plane of a palette without
   /// volume (greys; black, white and red) at the same luminance where that has it, and then goes
   /// towards the grey of its luminance until it is inside, which keeps the dominant wavelength.
   Color inside(const Color& color) const noexcept;
@@ -34,7 +35,8 @@ class PaletteHull {
   Color towards(const Color& color, const Color& anchor) const noexcept;
 
   bool flat_ = false;                              // the palette has no volume
-  std::array<std::array<float, 3>, 3> flatten_{};  // about the centre, where it is flat
+  std::array<std::array<float, 3>, 3> nearest_{};  // onto its line or plane, about the centre
+  std::array<std::array<float, 3>, 3> flatten_{};  // the same, at equal luminance
   std::vector<HalfSpace> faces_;                   // within the palette's line or plane, where flat
   Color centre_{};                                 // the mean of the entries: inside
 };
