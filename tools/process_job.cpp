@@ -64,6 +64,23 @@ Display with_chosen_palette(const Display& display, const PaletteChoice& choice,
   return with_palette(display, choice.method->choose(counted, colors));
 }
 
+// The strength of the dither, turned and fitted as the picture is; null where none was asked for.
+std::unique_ptr<RowSource> open_dither_mask(const ProcessOptions& options, const Display& display,
+                                            const PictureInfo& picture) {
+  if (options.settings.dither_mask.empty()) return nullptr;
+  auto mask = prepare(open_picture(options.settings.dither_mask, {.threads = options.threads}),
+                      display, options.settings, nullptr);
+  const PictureInfo& info = mask->info();
+  if (info.width != picture.width || info.height != picture.height) {
+    throw Error(ErrorKind::kContent, options.settings.dither_mask,
+                "is " + std::to_string(info.width) + "x" + std::to_string(info.height) +
+                    " where the picture is " + std::to_string(picture.width) + "x" +
+                    std::to_string(picture.height),
+                "give a mask of the picture's size, or --size");
+  }
+  return mask;
+}
+
 std::unique_ptr<CodeSink> open_sink(const ProcessOptions& options, const std::string& output,
                                     const Display& display, const PictureInfo& picture) {
   if (is_exr(options, output)) {
@@ -148,6 +165,7 @@ void process_picture(const ProcessOptions& options, const Display& device, Job j
   std::unique_ptr<CodeSink> proof_sink;
   std::optional<ProofObserver> proof;
   std::optional<DifferenceObserver> difference;
+  const auto mask = open_dither_mask(options, display, info);
   std::optional<Progress> progress(std::in_place, job.input, info.height);
   std::vector<BandObserver*> observers{&*progress};
   if (!job.proof.empty()) {
@@ -156,8 +174,8 @@ void process_picture(const ProcessOptions& options, const Display& device, Job j
     observers.push_back(&difference.emplace(info.primaries, options.settings.adaptation, display,
                                             stages.scene_stages));
   }
-  job.counts =
-      run(*picture, stages.stages, reducer, *sink, observers, {.threads = options.threads});
+  job.counts = run(*picture, stages.stages, reducer, *sink, observers,
+                   {.threads = options.threads, .band_rows = 0, .dither_mask = mask.get()});
   progress.reset();  // its line is free again
   sink->finish();
   if (proof_sink) proof_sink->finish();

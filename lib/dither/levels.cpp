@@ -31,17 +31,17 @@ void NearestLevel::row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out
 
 OrderedDither::OrderedDither(MixLevels levels, ThresholdMatrix matrix)
     : levels_(std::move(levels)), matrix_(std::move(matrix)), search_(levels_.light) {
-  const auto ranks = static_cast<float>(matrix_.rank.size());
+  const auto ranks = static_cast<float>(matrix_.ranks);
   for (std::size_t i = 1; i < levels_.light.size(); ++i) {
     steps_per_light_.push_back(ranks / (levels_.light[i] - levels_.light[i - 1]));
   }
   steps_per_light_.push_back(0);  // above the last level there is nothing to mix with
 }
 
-void OrderedDither::row(ChannelRow<const float> in, int y,
-                        ChannelRow<std::uint16_t> out) const noexcept {
-  const int size = matrix_.size;
-  const std::uint16_t* rank = matrix_.rank.data() + static_cast<std::ptrdiff_t>(y % size) * size;
+void OrderedDither::row(ChannelRow<const float> in, int y, ChannelRow<std::uint16_t> out,
+                        std::span<const float> strength) const noexcept {
+  const std::uint16_t* rank = matrix_.row(y);
+  const float middle = static_cast<float>(matrix_.ranks) / 2;
   const float* light = levels_.light.data();
   const int last = static_cast<int>(levels_.light.size()) - 1;
   int column = 0;
@@ -51,9 +51,12 @@ void OrderedDither::row(ChannelRow<const float> in, int y,
     const float steps = (v - light[lower]) * steps_per_light_[static_cast<std::size_t>(lower)];
     // floor(s + 1/2) > rank without the call that floor is on old processors; NaN takes the lower
     // level.
-    const bool upper = lower < last && steps + 0.5F >= static_cast<float>(rank[column] + 1);
+    float least = static_cast<float>(rank[column] + 1) - 0.5F;
+    if (!strength.empty())
+      least = middle + (least - middle) * strength[static_cast<std::size_t>(x)];
+    const bool upper = lower < last && steps >= least;
     out[x] = levels_.code[static_cast<std::size_t>(lower + (upper ? 1 : 0))];
-    column = column + 1 == size ? 0 : column + 1;
+    column = column + 1 == matrix_.width ? 0 : column + 1;
   }
 }
 
@@ -64,7 +67,8 @@ LevelDiffusion::LevelDiffusion(const MixLevels& levels, int width, const Diffusi
       width_(width),
       errors_(*options.kernel, width, 1) {}
 
-void LevelDiffusion::row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out) {
+void LevelDiffusion::row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out,
+                         std::span<const float> strength) {
   const bool reversed = options_.serpentine && y_ % 2 == 1;
   const int direction = reversed ? -1 : 1;
   const float low = levels_.light.front();
@@ -74,7 +78,9 @@ void LevelDiffusion::row(ChannelRow<const float> in, ChannelRow<std::uint16_t> o
     const float wanted = std::clamp(in[x], low, high) + errors_.received(x, 0);
     const auto level = static_cast<std::size_t>(search_.count_not_above(wanted));
     out[x] = levels_.code[level];
-    errors_.spread(x, 0, wanted - levels_.light[level], direction);
+    float error = wanted - levels_.light[level];
+    if (!strength.empty()) error *= strength[static_cast<std::size_t>(x)];
+    errors_.spread(x, 0, error, direction);
   }
   errors_.next_row();
   ++y_;

@@ -50,6 +50,14 @@ Plan mixing_plan(const MixPalette& palette, const Color& color) noexcept {
   return plan;
 }
 
+// The colour on its way from its nearest entry: 0 is the entry, 1 the colour.
+Color weakened(const MixPalette& palette, const Color& color, float strength) noexcept {
+  const Color& near = palette.entry(palette.nearest(color));
+  Color between{};
+  for (std::size_t c = 0; c < 3; ++c) between[c] = near[c] + strength * (color[c] - near[c]);
+  return between;
+}
+
 // Of a palette of two, the colour's fraction of the way between them is known: the levels' rule of
 // ordered dither, exactly.
 int pair_entry(const MixPalette& palette, const Color& color, const ThresholdMatrix& matrix,
@@ -63,7 +71,7 @@ int pair_entry(const MixPalette& palette, const Color& color, const ThresholdMat
     along += (color[c] - from[c]) * (to[c] - from[c]);
     length2 += (to[c] - from[c]) * (to[c] - from[c]);
   }
-  const float steps = along / length2 * static_cast<float>(matrix.rank.size());
+  const float steps = along / length2 * static_cast<float>(matrix.ranks);
   return steps + 0.5F >= static_cast<float>(rank + 1) ? 1 - low : low;
 }
 
@@ -132,23 +140,24 @@ void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
 }
 
 void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matrix, int y,
-                         std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept {
-  const auto size = static_cast<std::size_t>(matrix.size);
-  const std::size_t row = static_cast<std::size_t>(y) % size * size;
+                         std::span<const float> rgb, std::span<std::uint16_t> indices,
+                         std::span<const float> strength) noexcept {
+  const std::uint16_t* ranks = matrix.row(y);
   Color planned{-1, -1, -1};  // no colour of a picture
   Plan plan{};
   for (std::size_t x = 0; x < indices.size(); ++x) {
-    const Color color = palette.from_light(&rgb[3 * x]);
+    const std::uint16_t rank = ranks[x % static_cast<std::size_t>(matrix.width)];
+    Color color = palette.from_light(&rgb[3 * x]);
+    if (!strength.empty()) color = weakened(palette, color, strength[x]);
     if (palette.size() == 2) {
-      indices[x] = static_cast<std::uint16_t>(
-          pair_entry(palette, color, matrix, matrix.rank[row + x % size]));
+      indices[x] = static_cast<std::uint16_t>(pair_entry(palette, color, matrix, rank));
       continue;
     }
     if (color != planned) {
       plan = mixing_plan(palette, color);
       planned = color;
     }
-    const std::size_t at = matrix.rank[row + x % size] * plan.size() / matrix.rank.size();
+    const std::size_t at = rank * plan.size() / static_cast<std::size_t>(matrix.ranks);
     indices[x] = static_cast<std::uint16_t>(plan[at]);
   }
 }
@@ -157,7 +166,8 @@ PaletteDiffusion::PaletteDiffusion(const MixPalette& palette, int width,
                                    const DiffusionOptions& options)
     : palette_(&palette), options_(options), width_(width), errors_(*options.kernel, width, 3) {}
 
-void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept {
+void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> indices,
+                           std::span<const float> strength) noexcept {
   const bool reversed = options_.serpentine && y_ % 2 == 1;
   const int direction = reversed ? -1 : 1;
   for (int i = 0; i < width_; ++i) {
@@ -173,9 +183,10 @@ void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> 
     const int index = palette_->nearest(color);
     indices[at] = static_cast<std::uint16_t>(index);
     const Color& got = palette_->entry(index);
+    const float share = strength.empty() ? 1 : strength[at];
     for (int c = 0; c < 3; ++c) {
       const auto channel = static_cast<std::size_t>(c);
-      errors_.spread(x, c, color[channel] - got[channel], direction);
+      errors_.spread(x, c, (color[channel] - got[channel]) * share, direction);
     }
   }
   errors_.next_row();

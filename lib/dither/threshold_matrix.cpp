@@ -60,11 +60,8 @@ std::array<std::uint16_t, kClusteredCells> clustered_ranks() {
   return ranks;
 }
 
-}  // namespace
-
-std::uint16_t bayer_rank(int x, int y, int size) noexcept {
-  // The top level of the recursion is the lowest digit: bits of x and y from the most significant
-  // on.
+// The top level of the recursion is the lowest digit: bits of x and y from the most significant on.
+std::uint16_t bayer_rank(int x, int y, int size) {
   constexpr int kD2[2][2] = {{0, 2}, {3, 1}};
   int rank = 0;
   int weight = 1;
@@ -75,21 +72,39 @@ std::uint16_t bayer_rank(int x, int y, int size) noexcept {
   return static_cast<std::uint16_t>(rank);
 }
 
-std::uint16_t d3_rank(int x, int y, int /*size*/) noexcept {
-  constexpr std::uint16_t kD3[3][3] = {{6, 8, 4}, {1, 0, 3}, {5, 2, 7}};
-  return kD3[y][x];
-}
-
-std::uint16_t clustered_rank(int x, int y, int /*size*/) noexcept {
-  static const auto ranks = clustered_ranks();
-  return ranks[static_cast<std::size_t>(y * kClusteredSide + x)];
-}
-
-ThresholdMatrix make_matrix(const MatrixRecipe& recipe) {
-  ThresholdMatrix matrix{recipe.name, recipe.size, {}};
-  for (int y = 0; y < recipe.size; ++y) {
-    for (int x = 0; x < recipe.size; ++x) matrix.rank.push_back(recipe.rank(x, y, recipe.size));
+template <typename Rank>
+ThresholdMatrix square(int size, Rank&& rank) {
+  ThresholdMatrix matrix{{}, {}, size, size, size * size, {}};
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) matrix.rank.push_back(rank(x, y));
   }
+  return matrix;
+}
+
+}  // namespace
+
+ThresholdMatrix bayer_matrix(const MatrixParameters& parameters) {
+  const int size = parameters.size;
+  return square(size, [size](int x, int y) { return bayer_rank(x, y, size); });
+}
+
+ThresholdMatrix d3_matrix(const MatrixParameters& /*parameters*/) {
+  constexpr std::uint16_t kD3[3][3] = {{6, 8, 4}, {1, 0, 3}, {5, 2, 7}};
+  return square(3, [&kD3](int x, int y) { return kD3[y][x]; });
+}
+
+ThresholdMatrix clustered_matrix(const MatrixParameters& /*parameters*/) {
+  const auto ranks = clustered_ranks();
+  return square(kClusteredSide, [&ranks](int x, int y) {
+    return ranks[static_cast<std::size_t>(y * kClusteredSide + x)];
+  });
+}
+
+ThresholdMatrix make_matrix(const MatrixRecipe& recipe, MatrixParameters parameters) {
+  if (parameters.size == 0) parameters.size = recipe.size;
+  ThresholdMatrix matrix = recipe.make(parameters);
+  matrix.name = recipe.name;
+  matrix.source = recipe.source;
   return matrix;
 }
 

@@ -63,12 +63,13 @@ StageList stage_list(const PictureInfo& picture, const Display& display, const S
 }
 
 ReduceOptions reduce_options(const Display& display, const Settings& settings) {
-  const NamedDither& dither =
-      settings.dither != nullptr ? *settings.dither : default_dither(display);
+  const NamedDither& dither = settings.dither ? *settings.dither : default_dither(display);
   const bool dithered = !std::holds_alternative<NoDither>(dither.method);
   const Metric* usual = find_by_name(kMetrics, dithered ? "oklab-toe" : "oklab");
+  DitherParameters parameters = settings.dither_parameters;
+  parameters.serpentine = settings.serpentine.value_or(display.frame.packing.indexed);
   return {.dither = dither.method,
-          .serpentine = settings.serpentine.value_or(display.frame.packing.indexed),
+          .parameters = parameters,
           .metric = settings.metric != nullptr ? *settings.metric : *usual,
           .mix = settings.mix,
           .black_point = settings.black_point};

@@ -12,7 +12,13 @@
 namespace tristim {
 namespace {
 
-using ChannelReducer = std::variant<NearestLevel, OrderedDither, LevelDiffusion>;
+// A channel whose codes are chosen with all of its light in view.
+struct WholeChannel {
+  const WholePictureDither* dither;
+  MixLevels levels;
+};
+
+using ChannelReducer = std::variant<NearestLevel, OrderedDither, LevelDiffusion, WholeChannel>;
 
 // Light that a metric calls half way between two greys.
 float metric_middle(const Metric& metric, double lower, double upper) {
@@ -61,7 +67,9 @@ LevelScale palette_scale(const Display& display, const ReduceOptions& options) {
   return scale;
 }
 
-ChannelReducer channel_reducer(const LevelScale& scale, const ReduceOptions& options, int width) {
+// `matrix` of an ordered method, else null.
+ChannelReducer channel_reducer(const LevelScale& scale, const ReduceOptions& options,
+                               const ThresholdMatrix* matrix, int width) {
   if (std::holds_alternative<NoDither>(options.dither)) {
     return NearestLevel(scale.threshold, scale.nearest);
   }
@@ -69,11 +77,13 @@ ChannelReducer channel_reducer(const LevelScale& scale, const ReduceOptions& opt
   if (options.mix == Mix::kEncoded) {
     for (float& light : levels.light) light = detail::srgb_encode_table()(light);
   }
-  if (const auto* recipe = std::get_if<MatrixRecipe>(&options.dither)) {
-    return OrderedDither(std::move(levels), make_matrix(*recipe));
+  if (matrix != nullptr) return OrderedDither(std::move(levels), *matrix);
+  if (const auto* whole = std::get_if<WholePictureDither>(&options.dither)) {
+    return WholeChannel{whole, std::move(levels)};
   }
   const auto& kernel = std::get<DiffusionKernel>(options.dither);
-  return LevelDiffusion(levels, width, {.kernel = &kernel, .serpentine = options.serpentine});
+  return LevelDiffusion(levels, width,
+                        {.kernel = &kernel, .serpentine = options.parameters.serpentine});
 }
 
 // Coverage of dots that looks like an asked tone where dots gain [Murray36]: the parabola a + 4 g a
@@ -85,32 +95,26 @@ float tone_before_gain(float tone, float gain) {
 }
 
 std::string dither_name(const DitherMethod& method) {
-  if (const auto* recipe = std::get_if<MatrixRecipe>(&method)) return std::string(recipe->name);
-  if (const auto* kernel = std::get_if<DiffusionKernel>(&method)) return std::string(kernel->name);
-  return "none";
+  return std::visit([](const auto& m) { return std::string(m.name); }, method);
 }
 
 std::string dither_source(const DitherMethod& method) {
-  if (const auto* recipe = std::get_if<MatrixRecipe>(&method)) return std::string(recipe->source);
-  if (const auto* kernel = std::get_if<DiffusionKernel>(&method))
-    return std::string(kernel->source);
-  return "";
+  return std::visit([](const auto& m) { return std::string(m.source); }, method);
+}
+
+// The strength of a row's pixels: the mask's, times that of the whole; empty where the dither is
+// whole everywhere.
+std::vector<float> row_strength(const Band& band, int row, float strength) {
+  const ImageView<const float>& mask = band.dither_mask;
+  if (mask.data == nullptr && strength == 1) return {};
+  std::vector<float> all(static_cast<std::size_t>(band.view.width), strength);
+  if (mask.data == nullptr) return all;
+  const std::span<const float> of_mask = mask.row(row);
+  for (std::size_t x = 0; x < all.size(); ++x) all[x] *= of_mask[x];
+  return all;
 }
 
 }  // namespace
-
-const std::vector<NamedDither>& dither_methods() {
-  static const std::vector<NamedDither> methods = [] {
-    std::vector<NamedDither> all{{"none", NoDither{}, "the nearest code"}};
-    for (const MatrixRecipe& recipe : kMatrixRecipes)
-      all.push_back({recipe.name, recipe, recipe.source});
-    for (const DiffusionKernel& kernel : kDiffusionKernels) {
-      all.push_back({kernel.name, kernel, kernel.source});
-    }
-    return all;
-  }();
-  return methods;
-}
 
 const NamedDither& default_dither(const Display& display) {
   const bool holds_dots = !display.dots || display.dots->isolated;
@@ -131,7 +135,7 @@ struct Reducer::State {
   std::vector<ChannelReducer> channels;  // none where there is a palette of colours
   std::vector<LevelScale> scales;
   std::optional<MixPalette> palette;
-  std::optional<ThresholdMatrix> matrix;
+  std::vector<ThresholdMatrix> matrices;  // of ordered methods, by channel
   std::optional<PaletteDiffusion> diffusion;
   Eigen::RowVector3f luminance;
   Eigen::Matrix3f srgb_from_device;
@@ -140,11 +144,14 @@ struct Reducer::State {
   State(const Display& d, const ReduceOptions& o) : display(d), options(o) {}
 
   void set_up_palette(int width);
-  void reduce_palette_row(std::span<float> rgb, int y, std::span<std::uint16_t> out);
-  void reduce_grey_row(std::span<float> rgb, int y, std::span<std::uint16_t> out);
-  void reduce_rgb_row(std::span<float> rgb, int y, std::span<std::uint16_t> out);
+  void reduce_palette_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
+                          std::span<const float> strength);
+  std::span<float> grey_row(std::span<float> rgb) const;
   void reduce_channel(std::size_t channel, ChannelRow<float> in, int y,
-                      ChannelRow<std::uint16_t> out);
+                      ChannelRow<std::uint16_t> out, std::span<const float> strength);
+  void reduce_row(const Band& band, int row, std::span<std::uint16_t> out);
+  void reduce_whole(const Band& band, ImageView<std::uint16_t> codes);
+  bool dithered() const noexcept { return !std::holds_alternative<NoDither>(options.dither); }
 };
 
 void Reducer::State::set_up_palette(int width) {
@@ -157,55 +164,96 @@ void Reducer::State::set_up_palette(int width) {
   }
   palette.emplace(entries, options.metric, options.mix);
   srgb_from_device = to_srgb.cast<float>();
-  if (const auto* recipe = std::get_if<MatrixRecipe>(&options.dither))
-    matrix = make_matrix(*recipe);
   if (const auto* kernel = std::get_if<DiffusionKernel>(&options.dither)) {
-    diffusion.emplace(*palette, width,
-                      DiffusionOptions{.kernel = kernel, .serpentine = options.serpentine});
+    diffusion.emplace(
+        *palette, width,
+        DiffusionOptions{.kernel = kernel, .serpentine = options.parameters.serpentine});
   }
 }
 
-void Reducer::State::reduce_palette_row(std::span<float> rgb, int y, std::span<std::uint16_t> out) {
+void Reducer::State::reduce_palette_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
+                                        std::span<const float> strength) {
   if (!srgb_from_device.isIdentity(0)) {
     for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
       const Eigen::Vector3f c = srgb_from_device * Eigen::Vector3f(rgb[i], rgb[i + 1], rgb[i + 2]);
       for (std::size_t k = 0; k < 3; ++k) rgb[i + k] = c[static_cast<Eigen::Index>(k)];
     }
   }
-  if (diffusion) return diffusion->row(rgb, out);
-  if (matrix) return palette_ordered_row(*palette, *matrix, y, rgb, out);
+  if (diffusion) return diffusion->row(rgb, out, strength);
+  if (!matrices.empty()) {
+    return palette_ordered_row(*palette, matrices.front(), y, rgb, out, strength);
+  }
   palette_nearest_row(*palette, rgb, out);
 }
 
 void Reducer::State::reduce_channel(std::size_t channel, ChannelRow<float> in, int y,
-                                    ChannelRow<std::uint16_t> out) {
-  const bool dithered = !std::holds_alternative<NoDither>(options.dither);
-  if (dithered && options.mix == Mix::kEncoded) {
-    const detail::CurveTable& encode = detail::srgb_encode_table();
-    for (int x = 0; x < in.width; ++x) in[x] = encode(in[x]);
-  }
+                                    ChannelRow<std::uint16_t> out,
+                                    std::span<const float> strength) {
   const ChannelRow<const float> light{in.data, in.width, in.step};
   ChannelReducer& reducer = channels[channel];
   if (auto* nearest = std::get_if<NearestLevel>(&reducer)) return nearest->row(light, out);
-  if (auto* ordered = std::get_if<OrderedDither>(&reducer)) return ordered->row(light, y, out);
-  std::get<LevelDiffusion>(reducer).row(light, out);
-}
-
-void Reducer::State::reduce_grey_row(std::span<float> rgb, int y, std::span<std::uint16_t> out) {
-  const bool dithered = !std::holds_alternative<NoDither>(options.dither);
-  const auto width = static_cast<int>(out.size());
-  for (std::size_t x = 0; x < out.size(); ++x) {  // into the row itself: x never overtakes 3 x
-    const float* p = &rgb[3 * x];
-    const float grey = luminance[0] * p[0] + luminance[1] * p[1] + luminance[2] * p[2];
-    rgb[x] = gain > 0 && dithered ? tone_before_gain(grey, gain) : grey;
+  if (options.mix == Mix::kEncoded) {
+    const detail::CurveTable& encode = detail::srgb_encode_table();
+    for (int x = 0; x < in.width; ++x) in[x] = encode(in[x]);
   }
-  reduce_channel(0, {rgb.data(), width, 1}, y, {out.data(), width, 1});
+  if (auto* ordered = std::get_if<OrderedDither>(&reducer)) {
+    return ordered->row(light, y, out, strength);
+  }
+  std::get<LevelDiffusion>(reducer).row(light, out, strength);
 }
 
-void Reducer::State::reduce_rgb_row(std::span<float> rgb, int y, std::span<std::uint16_t> out) {
-  const auto width = static_cast<int>(out.size() / 3);
+// The luminances of a row, in its first third; what dots gain is taken off.
+std::span<float> Reducer::State::grey_row(std::span<float> rgb) const {
+  const std::span<float> grey = rgb.first(rgb.size() / 3);
+  for (std::size_t x = 0; x < grey.size(); ++x) {  // x never overtakes 3 x
+    const float* p = &rgb[3 * x];
+    const float tone = luminance[0] * p[0] + luminance[1] * p[1] + luminance[2] * p[2];
+    grey[x] = gain > 0 && dithered() ? tone_before_gain(tone, gain) : tone;
+  }
+  return grey;
+}
+
+void Reducer::State::reduce_row(const Band& band, int row, std::span<std::uint16_t> out) {
+  const int y = band.y0 + row;
+  const std::vector<float> strength = row_strength(band, row, options.parameters.strength);
+  const std::span<float> rgb = band.view.row(row);
+  if (palette) return reduce_palette_row(rgb, y, out, strength);
+  const int width = band.view.width;
+  if (samples == 1) {
+    return reduce_channel(0, {grey_row(rgb).data(), width, 1}, y, {out.data(), width, 1}, strength);
+  }
   for (std::size_t c = 0; c < 3; ++c) {
-    reduce_channel(c, {rgb.data() + c, width, 3}, y, {out.data() + c, width, 3});
+    reduce_channel(c, {rgb.data() + c, width, 3}, y, {out.data() + c, width, 3}, strength);
+  }
+}
+
+// A method for whole pictures sees one channel after the other.
+void Reducer::State::reduce_whole(const Band& band, ImageView<std::uint16_t> codes) {
+  Image light(band.view.width, band.view.height, 1);
+  Raster<std::uint16_t> channel_codes(band.view.width, band.view.height, 1);
+  const DitherParameters& told = options.parameters;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    for (int y = 0; y < band.view.height; ++y) {
+      const std::span<float> rgb = band.view.row(y);
+      const std::span<float> row = light.view().row(y);
+      if (samples == 1) {
+        std::ranges::copy(grey_row(rgb), row.begin());
+      } else {
+        for (std::size_t x = 0; x < row.size(); ++x) row[x] = rgb[3 * x + c];
+      }
+      if (options.mix != Mix::kEncoded) continue;
+      for (float& v : row) v = detail::srgb_encode_table()(v);
+    }
+    const auto& whole = std::get<WholeChannel>(channels[c]);
+    whole.dither->channel(light.view(), whole.levels,
+                          {told.seed, told.effort, told.strength, band.dither_mask},
+                          channel_codes.view());
+    for (int y = 0; y < codes.height; ++y) {
+      const std::span<const std::uint16_t> from = channel_codes.view().row(y);
+      for (std::size_t x = 0; x < from.size(); ++x) {
+        codes.row(y)[channels.size() * x + c] = from[x];
+      }
+    }
   }
 }
 
@@ -216,9 +264,13 @@ Reducer::Reducer(const Display& display, const ReduceOptions& options, int width
   s.samples = packing.samples;
   s.luminance = xyz_from_rgb(s.display.primaries).row(1).cast<float>();
   s.gain = s.display.dots ? static_cast<float>(s.display.dots->gain) : 0;
+  s.matrices = dither_matrices(s.options.dither, s.options.parameters, packing.samples);
   if (packing.indexed) {
     if (s.display.palette.empty()) {
       throw std::invalid_argument("display: an indexed packing needs a palette");
+    }
+    if (whole_picture()) {
+      throw std::invalid_argument("dither: a method for whole pictures takes no palette");
     }
     s.set_up_palette(width);
     return;
@@ -228,7 +280,9 @@ Reducer::Reducer(const Display& display, const ReduceOptions& options, int width
                                  ? level_scale(s.display, packing.bits[static_cast<std::size_t>(c)],
                                                s.options.black_point)
                                  : palette_scale(s.display, s.options);
-    s.channels.push_back(channel_reducer(scale, s.options, width));
+    const auto channel = static_cast<std::size_t>(c);
+    const ThresholdMatrix* matrix = s.matrices.empty() ? nullptr : &s.matrices[channel];
+    s.channels.push_back(channel_reducer(scale, s.options, matrix, width));
     s.scales.push_back(scale);
   }
 }
@@ -242,17 +296,13 @@ bool Reducer::in_order() const noexcept {
   return std::holds_alternative<DiffusionKernel>(state_->options.dither);
 }
 
+bool Reducer::whole_picture() const noexcept {
+  return std::holds_alternative<WholePictureDither>(state_->options.dither);
+}
+
 void Reducer::reduce(Band band, ImageView<std::uint16_t> codes) {
-  for (int i = 0; i < band.view.height; ++i) {
-    const int y = band.y0 + i;
-    if (state_->palette) {
-      state_->reduce_palette_row(band.view.row(i), y, codes.row(i));
-    } else if (state_->samples == 1) {
-      state_->reduce_grey_row(band.view.row(i), y, codes.row(i));
-    } else {
-      state_->reduce_rgb_row(band.view.row(i), y, codes.row(i));
-    }
-  }
+  if (whole_picture()) return state_->reduce_whole(band, codes);
+  for (int i = 0; i < band.view.height; ++i) state_->reduce_row(band, i, codes.row(i));
 }
 
 std::vector<StepReport> Reducer::explain() const {
@@ -300,7 +350,11 @@ std::vector<StepReport> Reducer::explain() const {
     dither.numbers.emplace_back("mixed in",
                                 s.options.mix == Mix::kLight ? "light" : "encoded numbers");
   }
-  if (in_order()) dither.numbers.emplace_back("serpentine", s.options.serpentine ? "yes" : "no");
+  if (s.options.parameters.strength != 1) {
+    dither.numbers.emplace_back("strength", shortest(s.options.parameters.strength));
+  }
+  if (in_order())
+    dither.numbers.emplace_back("serpentine", s.options.parameters.serpentine ? "yes" : "no");
   steps.push_back(std::move(dither));
   return steps;
 }

@@ -13,6 +13,7 @@ namespace {
 struct Work {
   int y0;
   Image light;
+  Image dither_mask;  // 1 channel; empty without one
   Raster<std::uint16_t> codes;
   std::vector<Image> wanted;  // by observer; empty images where none is wanted
   StageCounts counts;
@@ -22,6 +23,21 @@ Image copy_of(ImageView<const float> view) {
   Image copy(view.width, view.height, view.channels);
   for (int y = 0; y < view.height; ++y) std::ranges::copy(view.row(y), copy.view().row(y).begin());
   return copy;
+}
+
+// The next rows of a mask: its first channel, clipped to [0, 1].
+Image read_mask(RowSource& mask, int rows) {
+  const PictureInfo& info = mask.info();
+  Image read(info.width, rows, info.channels);
+  mask.read(read.view());
+  Image strength(info.width, rows, 1);
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < info.width; ++x) {
+      const float value = *read.view().pixel(x, y);
+      *strength.view().pixel(x, y) = value > 0 ? std::min(value, 1.0F) : 0;
+    }
+  }
+  return strength;
 }
 
 void keep_wanted(Work& work, std::span<BandObserver* const> observers, int stages_done) {
@@ -44,7 +60,8 @@ int band_rows(const PictureInfo& info) noexcept {
 StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reducer, CodeSink& sink,
                 std::span<BandObserver* const> observers, const RunOptions& options) {
   const PictureInfo& info = source.info();
-  const int rows = options.band_rows > 0 ? options.band_rows : band_rows(info);
+  const int wanted_rows = options.band_rows > 0 ? options.band_rows : band_rows(info);
+  const int rows = reducer.whole_picture() ? info.height : wanted_rows;
   int next = 0;
   StageCounts total;
 
@@ -52,24 +69,25 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
   steps.produce = [&]() -> void* {
     if (next == info.height) return nullptr;
     const int count = std::min(rows, info.height - next);
-    auto work =
-        std::make_unique<Work>(Work{next,
-                                    Image(info.width, count, 3),
-                                    Raster<std::uint16_t>(info.width, count, reducer.samples()),
-                                    std::vector<Image>(observers.size()),
-                                    {}});
+    auto work = std::make_unique<Work>(
+        Work{next,
+             Image(info.width, count, 3),
+             options.dither_mask ? read_mask(*options.dither_mask, count) : Image{},
+             Raster<std::uint16_t>(info.width, count, reducer.samples()),
+             std::vector<Image>(observers.size()),
+             {}});
     source.read(work->light.view());
     next += count;
     return work.release();
   };
   const auto reduce = [&](Work& work) {
-    reducer.reduce({work.light.view(), work.y0}, work.codes.view());
+    reducer.reduce({work.light.view(), work.y0, work.dither_mask.view()}, work.codes.view());
   };
   steps.work = [&](void* item) {
     Work& work = *static_cast<Work*>(item);
     keep_wanted(work, observers, 0);
     for (std::size_t i = 0; i < stages.size(); ++i) {
-      apply(stages[i], {work.light.view(), work.y0}, work.counts);
+      apply(stages[i], {work.light.view(), work.y0, {}}, work.counts);
       keep_wanted(work, observers, static_cast<int>(i) + 1);
     }
     if (!reducer.in_order()) reduce(work);

@@ -102,6 +102,32 @@ Result set_serpentine(Settings& settings, std::string_view value) {
   return {};
 }
 
+Result set_strength(Settings& settings, std::string_view value) {
+  const auto strength = parse_number(value);
+  if (!strength || !(*strength >= 0 && *strength <= 1)) {
+    return not_a("strength", value, "give 0 for the nearest code to 1 for the whole dither");
+  }
+  settings.dither_parameters.strength = static_cast<float>(*strength);
+  return {};
+}
+
+// An integer from 0 to `most` into a parameter of the dither.
+template <typename Assign>
+Result set_count(std::string_view what, std::string_view value, std::int64_t most,
+                 Assign&& assign) {
+  const auto number = parse_integer(value);
+  if (!number || *number < 0 || *number > most) {
+    return not_a(what, value, "give an integer from 0 to " + std::to_string(most));
+  }
+  assign(*number);
+  return {};
+}
+
+constexpr std::int64_t kMostFrames = 1'000'000'000;
+constexpr std::int64_t kMostMaskSize = 1024;
+constexpr std::int64_t kMostSeed = 1'000'000'000'000'000;
+constexpr std::int64_t kMostEffort = 1000;
+
 constexpr int kMostColors = 65536;
 
 Result set_palette(Settings& settings, std::string_view value) {
@@ -178,10 +204,38 @@ std::vector<Setting> make_settings() {
       {"dither", list_names(dither_methods(), "|"),
        "how tones between the codes are made; default: what suits the device",
        [](Settings& s, std::string_view v) {
-         return choose("dither", dither_methods(), v, [&](const NamedDither& d) { s.dither = &d; });
+         return choose("dither", dither_methods(), v, [&](const NamedDither& d) { s.dither = d; });
        }},
       {"serpentine", "", "error diffusion turns round at every row; default: for indexed devices",
        set_serpentine},
+      {"strength", "0..1", "share of the dither: 0 takes the nearest code; default: 1",
+       set_strength},
+      {"dither-mask", "PICTURE", "strength by pixel: black keeps the nearest code, white dithers",
+       [](Settings& s, std::string_view v) -> Result {
+         s.dither_mask = std::string(v);
+         return {};
+       }},
+      {"mask-size", "N", "side of a threshold matrix that comes in sizes; default: its own",
+       [](Settings& s, std::string_view v) {
+         return set_count("size", v, kMostMaskSize,
+                          [&](auto n) { s.dither_parameters.size = static_cast<int>(n); });
+       }},
+      {"seed", "N", "of dithers that leave something to chance; default: 0",
+       [](Settings& s, std::string_view v) {
+         return set_count("seed", v, kMostSeed, [&](auto n) {
+           s.dither_parameters.seed = static_cast<std::uint64_t>(n);
+         });
+       }},
+      {"frame", "N", "of an animation, for dithers that change with time",
+       [](Settings& s, std::string_view v) {
+         return set_count("frame number", v, kMostFrames,
+                          [&](auto n) { s.dither_parameters.frame = static_cast<int>(n); });
+       }},
+      {"effort", "N", "how long dithers search that do so; default: their own",
+       [](Settings& s, std::string_view v) {
+         return set_count("effort", v, kMostEffort,
+                          [&](auto n) { s.dither_parameters.effort = static_cast<int>(n); });
+       }},
       {"palette", "device|" + list_names(kPaletteMethods, "|") + "[:N]",
        "choose N colours for the picture, for indexed devices; default: device", set_palette},
       {"metric", list_names(kMetrics, "|"),

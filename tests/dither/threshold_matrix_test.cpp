@@ -16,17 +16,15 @@ ThresholdMatrix named(std::string_view name) {
   return make_matrix(*find_by_name(kMatrixRecipes, name));
 }
 
-int rank_at(const ThresholdMatrix& m, int x, int y) {
-  return m.rank[static_cast<std::size_t>(y % m.size * m.size + x % m.size)];
-}
+int rank_at(const ThresholdMatrix& m, int x, int y) { return m.row(y)[x % m.width]; }
 
 TEST(ThresholdMatrix, HoldsEveryRankOnce) {
   for (const MatrixRecipe& recipe : kMatrixRecipes) {
     SCOPED_TRACE(recipe.name);
     const ThresholdMatrix matrix = make_matrix(recipe);
     EXPECT_EQ(matrix.name, recipe.name);
-    EXPECT_EQ(matrix.size, recipe.size);
-    Ranks expected(static_cast<std::size_t>(recipe.size * recipe.size));
+    EXPECT_EQ(matrix.ranks, matrix.width * matrix.height);
+    Ranks expected(static_cast<std::size_t>(matrix.ranks));
     std::iota(expected.begin(), expected.end(), std::uint16_t{0});
     Ranks sorted = matrix.rank;
     std::ranges::sort(sorted);
@@ -48,9 +46,9 @@ TEST(ThresholdMatrix, BayerFollowsItsRecursion) {  // [Bayer73]
     const ThresholdMatrix whole = named(sizes[i]);
     SCOPED_TRACE(whole.name);
     constexpr int kOffset[2][2] = {{0, 2}, {3, 1}};
-    for (int y = 0; y < whole.size; ++y) {
-      for (int x = 0; x < whole.size; ++x) {
-        const int offset = kOffset[y / half.size][x / half.size];
+    for (int y = 0; y < whole.width; ++y) {
+      for (int x = 0; x < whole.width; ++x) {
+        const int offset = kOffset[y / half.width][x / half.width];
         EXPECT_EQ(rank_at(whole, x, y), 4 * rank_at(half, x, y) + offset);
       }
     }
@@ -63,7 +61,7 @@ bool has_company(const ThresholdMatrix& m, int x, int y, int lit) {
   int alike = -1;  // itself
   for (int dy = 0; dy <= 2; ++dy) {
     for (int dx = 0; dx <= 2; ++dx) {
-      const int other = rank_at(m, x + m.size - 1 + dx, y + m.size - 1 + dy);
+      const int other = rank_at(m, x + m.width - 1 + dx, y + m.width - 1 + dy);
       if ((other < lit) == side) ++alike;
     }
   }

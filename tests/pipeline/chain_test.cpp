@@ -50,7 +50,7 @@ TEST(ReduceOptions, AreCompleteForEveryDeviceAndDither) {
     EXPECT_NE(reduce_options(display, {}).metric.place, nullptr);
     for (const NamedDither& dither : dither_methods()) {
       Settings chosen;
-      chosen.dither = &dither;
+      chosen.dither = dither;
       const ReduceOptions options = reduce_options(display, chosen);
       EXPECT_EQ(options.metric.name, dither.name == "none" ? "oklab" : "oklab-toe");
       EXPECT_EQ(options.dither.index(), dither.method.index());
@@ -67,7 +67,7 @@ TEST(ReduceOptions, TakeWhatIsSet) {
   EXPECT_EQ(options.metric.name, "lab");
   EXPECT_EQ(options.mix, Mix::kEncoded);
   EXPECT_EQ(options.black_point, BlackPoint::kAbsolute);
-  EXPECT_TRUE(options.serpentine);
+  EXPECT_TRUE(options.parameters.serpentine);
 }
 
 TEST(Prepare, TakesThePanelsSizeUnlessOneIsSet) {

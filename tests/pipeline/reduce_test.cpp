@@ -71,8 +71,9 @@ TEST(Reducer, LightsAsManyDotsAsThereIsLight) {
         const auto* matrix = std::get_if<MatrixRecipe>(&dither.method);
         if (dither.name == "none" || (matrix != nullptr && matrix->size < 8)) continue;
         for (const bool serpentine : {false, true}) {
-          const Codes codes = reduced(display, {.dither = dither.method, .serpentine = serpentine},
-                                      flat_picture(256, 256, 0.2159F, 0.2159F, 0.2159F));
+          const Codes codes =
+              reduced(display, {.dither = dither.method, .parameters = {.serpentine = serpentine}},
+                      flat_picture(256, 256, 0.2159F, 0.2159F, 0.2159F));
           EXPECT_NEAR(share_of(codes, 1), 0.2159, 0.005) << packing << " " << dither.name;
         }
       }

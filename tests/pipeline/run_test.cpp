@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -36,7 +37,7 @@ TEST(Run, GivesTheSameCodesForAnyThreadsAndBands) {
   for (const BuiltInDisplay& built_in : built_in_displays()) {
     const Display display = load_display(std::string(built_in.name));
     for (const NamedDither& dither : dither_methods()) {
-      const ReduceOptions reduce{.dither = dither.method, .serpentine = true};
+      const ReduceOptions reduce{.dither = dither.method, .parameters = {.serpentine = true}};
       StageCounts expected_counts;
       const auto expected = codes_of(display, reduce, {1, kHeight}, &expected_counts);
       ASSERT_FALSE(expected.empty());
@@ -49,6 +50,55 @@ TEST(Run, GivesTheSameCodesForAnyThreadsAndBands) {
         }
       }
     }
+  }
+}
+
+// A mask that is black on the left half and white on the right.
+Image half_mask(int width, int height) {
+  Image mask(width, height, 3);
+  for (int y = 0; y < height; ++y) {
+    for (int x = width / 2; x < width; ++x) {
+      for (int c = 0; c < 3; ++c) mask.view().pixel(x, y)[c] = 1;
+    }
+  }
+  return mask;
+}
+
+std::vector<std::uint16_t> masked(const Display& display, const ReduceOptions& reduce, int rows) {
+  constexpr int kSide = 64;
+  ImageSource source(flat_picture(kSide, kSide, 0.3F, 0.3F, 0.3F));
+  ImageSource mask(half_mask(kSide, kSide));
+  Reducer reducer(display, reduce, kSide);
+  CodeCollector sink;
+  run(source, {}, reducer, sink, {}, {.threads = 2, .band_rows = rows, .dither_mask = &mask});
+  return sink.codes;
+}
+
+TEST(Run, DithersWhereTheMaskAsksForIt) {
+  for (const char* device : {"laser-300", "epaper-4grey", "vga16"}) {
+    const Display display = load_display(device);
+    for (const NamedDither& dither : dither_methods()) {
+      if (dither.name == "none") continue;
+      SCOPED_TRACE(testing::Message() << device << " " << dither.name);
+      const auto codes = masked(display, {.dither = dither.method}, 7);
+      std::set<std::uint16_t> left, right;
+      for (std::size_t i = 0; i < codes.size(); ++i) (i % 64 < 32 ? left : right).insert(codes[i]);
+      EXPECT_EQ(left.size(), 1U);
+      EXPECT_GT(right.size(), 1U);
+      EXPECT_EQ(codes, masked(display, {.dither = dither.method}, 64));
+    }
+  }
+}
+
+TEST(Run, DithersNothingAtStrengthZero) {
+  for (const NamedDither& dither : dither_methods()) {
+    SCOPED_TRACE(dither.name);
+    ImageSource source(flat_picture(32, 32, 0.3F, 0.3F, 0.3F));
+    Reducer reducer(load_display("laser-300"),
+                    {.dither = dither.method, .parameters = {.strength = 0}}, 32);
+    CodeCollector sink;
+    run(source, {}, reducer, sink);
+    EXPECT_EQ(std::set<std::uint16_t>(sink.codes.begin(), sink.codes.end()).size(), 1U);
   }
 }
 

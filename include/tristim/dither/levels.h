@@ -47,8 +47,11 @@ class OrderedDither {
  public:
   OrderedDither(MixLevels levels, ThresholdMatrix matrix);
 
-  /// Row `y` of the picture. Light outside the levels takes the end level.
-  void row(ChannelRow<const float> in, int y, ChannelRow<std::uint16_t> out) const noexcept;
+  /// Row `y` of the picture. Light outside the levels takes the end level. `strength`, pixel by
+  /// pixel, 0 .. 1, draws the thresholds towards half way, where the nearest level changes;
+  /// empty: 1.
+  void row(ChannelRow<const float> in, int y, ChannelRow<std::uint16_t> out,
+           std::span<const float> strength = {}) const noexcept;
 
  private:
   MixLevels levels_;
@@ -70,7 +73,10 @@ struct DiffusionOptions {
 class LevelDiffusion {
  public:
   LevelDiffusion(const MixLevels& levels, int width, const DiffusionOptions& options);
-  void row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out);
+  /// The next row. `strength`, pixel by pixel, 0 .. 1, is the share of the error that is passed on;
+  /// empty: 1.
+  void row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out,
+           std::span<const float> strength = {});
 
  private:
   MixLevels levels_;

@@ -67,9 +67,11 @@ void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
 
 /// Ordered dither to any palette by a plan of entries whose mean is the colour: each is the nearest
 /// to what the ones before it still owe; sorted by luminance, the matrix's rank picks one
-/// [Knoll08]. Row `y` of the picture.
+/// [Knoll08]. Row `y` of the picture. `strength`, pixel by pixel, 0 .. 1, draws the colour to its
+/// nearest entry first; empty: 1.
 void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matrix, int y,
-                         std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept;
+                         std::span<const float> rgb, std::span<std::uint16_t> indices,
+                         std::span<const float> strength = {}) noexcept;
 
 /// Error diffusion to a palette [FloydSteinberg76]: the nearest entry in the metric, the error in
 /// the numbers of the mix. Colours that the palette cannot mix are moved inside its hull first.
@@ -77,7 +79,10 @@ void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matri
 class PaletteDiffusion {
  public:
   PaletteDiffusion(const MixPalette& palette, int width, const DiffusionOptions& options);
-  void row(std::span<const float> rgb, std::span<std::uint16_t> indices) noexcept;
+  /// The next row. `strength`, pixel by pixel, 0 .. 1, is the share of the error that is passed on;
+  /// empty: 1.
+  void row(std::span<const float> rgb, std::span<std::uint16_t> indices,
+           std::span<const float> strength = {}) noexcept;
 
  private:
   const MixPalette* palette_;  // outlives this

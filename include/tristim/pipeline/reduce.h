@@ -1,35 +1,16 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
-#include <variant>
 #include <vector>
 
 #include "tristim/device/display.h"
-#include "tristim/dither/kernel.h"
+#include "tristim/dither/method.h"
 #include "tristim/dither/palette.h"
-#include "tristim/dither/threshold_matrix.h"
 #include "tristim/frame/code.h"
 #include "tristim/palette/metric.h"
 #include "tristim/pipeline/stage.h"
 
 namespace tristim {
-
-/// No dither: the nearest code.
-struct NoDither {};
-
-/// What stands between light and codes: nothing, a threshold matrix, or a diffusion kernel.
-using DitherMethod = std::variant<NoDither, MatrixRecipe, DiffusionKernel>;
-
-/// A dither method as the command line names it.
-struct NamedDither {
-  std::string_view name;
-  DitherMethod method;
-  std::string_view source;
-};
-
-/// "none", every matrix, every kernel.
-const std::vector<NamedDither>& dither_methods();
 
 /// What suits a device: none from 8 bits a channel on, the clustered screen for
 /// printers that cannot hold isolated dots, Floyd-Steinberg for the rest.
@@ -37,7 +18,7 @@ const NamedDither& default_dither(const Display& display);
 
 struct ReduceOptions {
   DitherMethod dither = NoDither{};
-  bool serpentine = false;
+  DitherParameters parameters;
   Metric metric = kMetrics[0];
   Mix mix = Mix::kLight;
   BlackPoint black_point = BlackPoint::kRelative;
@@ -59,6 +40,9 @@ class Reducer {
   /// Whether bands must come one after the other from the picture's top: error diffusion. Otherwise
   /// reduce() may run on several threads at once, in any order.
   bool in_order() const noexcept;
+
+  /// Whether the one band must be the whole picture.
+  bool whole_picture() const noexcept;
 
   /// `band` (three channels, light; values outside of [0, 1] count as the nearer end) to `codes`,
   /// of the same size with samples() channels. May use the band as scratch.

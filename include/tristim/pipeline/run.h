@@ -24,16 +24,19 @@ class BandObserver {
 };
 
 struct RunOptions {
-  int threads = 0;    // 0: one for each processor
-  int band_rows = 0;  // 0: chosen from the width and the picture's chunks
+  int threads = 0;                   // 0: one for each processor
+  int band_rows = 0;                 // 0: chosen from the width and the picture's chunks
+  RowSource* dither_mask = nullptr;  // strength of the dither by its first channel, 0 .. 1,
+                                     // clipped; of the picture's size
 };
 
 /// Drives a picture in bands from `source` (3 channels) through the stages and the reducer to the
 /// sink, whose finish() is left to the caller. Bands are read, worked on and written at the same
 /// time. The codes do not depend on `options`.
 ///
-/// Memory is a few bands, whatever the picture's height. Returns what the stages counted.
-/// Throws what source, observers and sink throw; the first failure ends all.
+/// Memory is a few bands, whatever the picture's height; the whole picture where the reducer needs
+/// that. Returns what the stages counted. Throws what source, observers and sink throw; the first
+/// failure ends all.
 StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reducer, CodeSink& sink,
                 std::span<BandObserver* const> observers = {}, const RunOptions& options = {});
 

@@ -34,8 +34,10 @@ struct Settings {
   Adaptation adaptation = Adaptation::kBradford;
   GamutMethod gamut = kClip;
   BlackPoint black_point = BlackPoint::kRelative;
-  const NamedDither* dither = nullptr;  // nullptr: what suits the device
-  std::optional<bool> serpentine;       // empty: where a palette of colours is diffused to
+  std::optional<NamedDither> dither;   // empty: what suits the device
+  DitherParameters dither_parameters;  // serpentine apart
+  std::optional<bool> serpentine;      // empty: where a palette of colours is diffused to
+  std::string dither_mask;             // a picture of the dither's strength; empty: none
   PaletteChoice palette;
   const Metric* metric = nullptr;  // nullptr: oklab, and oklab-toe where the palette is dithered
   Mix mix = Mix::kLight;

@@ -18,6 +18,8 @@ namespace tristim {
 struct Band {
   ImageView<float> view;
   int y0 = 0;  // the picture's row of the view's first row; ordered dither needs it
+  ImageView<const float> dither_mask =
+      {};  // strength of the dither, 1 channel, 0 .. 1; empty: 1 everywhere
 };
 
 /// Pixels that a stage could not keep as they were.

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "tristim/dither/kernel.h"
+#include "tristim/dither/threshold_matrix.h"
+#include "tristim/dither/whole_picture.h"
+
+namespace tristim {
+
+/// No dither: the nearest code.
+struct NoDither {
+  std::string_view name = "none";
+  std::string_view source = "the nearest code";
+};
+
+/// What stands between light and codes: nothing, a threshold matrix by recipe or the user's own, a
+/// diffusion kernel, or a method that needs the whole picture at once.
+using DitherMethod =
+    std::variant<NoDither, MatrixRecipe, ThresholdMatrix, DiffusionKernel, WholePictureDither>;
+
+/// A dither method as the command line names it.
+struct NamedDither {
+  std::string name;
+  DitherMethod method;
+  std::string source;
+};
+
+/// What a dither may be told; each method heeds what concerns it.
+struct DitherParameters {
+  int size = 0;              // side of a matrix that comes in sizes; 0: its own
+  std::uint64_t seed = 0;    // of what is left to chance
+  std::optional<int> frame;  // of an animation
+  bool serpentine = false;   // diffusion: every second row right to left with the kernel mirrored
+  float strength = 1;        // 0: the nearest code, 1: the whole dither
+  int effort = 0;            // how long a method that searches does so; 0: its own
+};
+
+/// "none", every matrix, every kernel, every method for whole pictures.
+const std::vector<NamedDither>& dither_methods();
+
+/// The matrices that an ordered method dithers with, one for each of `channels` channels; empty for
+/// methods of other kinds.
+std::vector<ThresholdMatrix> dither_matrices(const DitherMethod& method,
+                                             const DitherParameters& parameters, int channels);
+
+}  // namespace tristim

@@ -1,0 +1,36 @@
+#include "tristim/dither/method.h"
+
+namespace tristim {
+
+const std::vector<NamedDither>& dither_methods() {
+  static const std::vector<NamedDither> methods = [] {
+    std::vector<NamedDither> all;
+    const auto add = [&all](const auto& method) {
+      all.push_back({std::string(method.name), method, std::string(method.source)});
+    };
+    add(NoDither{});
+    for (const MatrixRecipe& recipe : kMatrixRecipes) add(recipe);
+    for (const DiffusionKernel& kernel : kDiffusionKernels) add(kernel);
+    for (const WholePictureDither& dither : kWholePictureDithers) add(dither);
+    return all;
+  }();
+  return methods;
+}
+
+std::vector<ThresholdMatrix> dither_matrices(const DitherMethod& method,
+                                             const DitherParameters& parameters, int channels) {
+  const auto count = static_cast<std::size_t>(channels);
+  if (const auto* own = std::get_if<ThresholdMatrix>(&method)) return {count, *own};
+  const auto* recipe = std::get_if<MatrixRecipe>(&method);
+  if (recipe == nullptr) return {};
+  MatrixParameters of_channel{parameters.size, parameters.seed, 0, parameters.frame};
+  if (!recipe->by_channel) return {count, make_matrix(*recipe, of_channel)};
+  std::vector<ThresholdMatrix> matrices;
+  for (int channel = 0; channel < channels; ++channel) {
+    of_channel.channel = channel;
+    matrices.push_back(make_matrix(*recipe, of_channel));
+  }
+  return matrices;
+}
+
+}  // namespace tristim
