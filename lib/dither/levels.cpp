@@ -44,7 +44,7 @@ void OrderedDither::row(ChannelRow<const float> in, int y, ChannelRow<std::uint1
   const float middle = static_cast<float>(matrix_.ranks) / 2;
   const float* light = levels_.light.data();
   const int last = static_cast<int>(levels_.light.size()) - 1;
-  int column = 0;
+  int column = matrix_.column(y);
   for (int x = 0; x < in.width; ++x) {
     const float v = in[x];
     const int lower = std::max(search_.count_not_above(v) - 1, 0);

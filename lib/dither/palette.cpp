@@ -143,10 +143,11 @@ void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matri
                          std::span<const float> rgb, std::span<std::uint16_t> indices,
                          std::span<const float> strength) noexcept {
   const std::uint16_t* ranks = matrix.row(y);
+  const auto first = static_cast<std::size_t>(matrix.column(y));
   Color planned{-1, -1, -1};  // no colour of a picture
   Plan plan{};
   for (std::size_t x = 0; x < indices.size(); ++x) {
-    const std::uint16_t rank = ranks[x % static_cast<std::size_t>(matrix.width)];
+    const std::uint16_t rank = ranks[(first + x) % static_cast<std::size_t>(matrix.width)];
     Color color = palette.from_light(&rgb[3 * x]);
     if (!strength.empty()) color = weakened(palette, color, strength[x]);
     if (palette.size() == 2) {

@@ -91,6 +91,20 @@ TEST(OrderedDither, LightsExactlySCellsOfAFlatField) {
   }
 }
 
+TEST(OrderedDither, ShiftsEveryRowOfTilesByTheMatrixShift) {
+  ThresholdMatrix matrix{.name = "shifted", .width = 5, .height = 2, .ranks = 10, .shift = 3};
+  matrix.rank = {0, 9, 9, 9, 9, 1, 9, 9, 9, 9};
+  const OrderedDither dither(kBlackAndWhite, matrix);
+  const Codes codes =
+      each_row(flat(12, 9, 0.2F), [&](auto in, int y, auto out) { dither.row(in, y, out); });
+  for (int y = 0; y < 9; ++y) {
+    for (int x = 0; x < 12; ++x) {
+      const bool first_column = (x - y / 2 * 3 + 60) % 5 == 0;
+      ASSERT_EQ(codes[static_cast<std::size_t>(12 * y + x)], first_column ? 1 : 0) << x << " " << y;
+    }
+  }
+}
+
 TEST(OrderedDither, TakesRowsFromYAndTilesFromTheTopLeft) {
   const MatrixRecipe& d2 = kMatrixRecipes[0];  // [0 2; 3 1]
   EXPECT_EQ(ordered(kBlackAndWhite, d2, flat(4, 3, 0.25F)),

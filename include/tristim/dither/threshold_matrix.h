@@ -21,9 +21,18 @@ struct ThresholdMatrix {
   int width = 0, height = 0;
   int ranks = 0;
   std::vector<std::uint16_t> rank;  // rows from y
+  int shift = 0;  // dots by which every row of tiles lies to the right of the one above, [0, width)
 
   const std::uint16_t* row(int y) const noexcept {
     return rank.data() + static_cast<std::ptrdiff_t>(y % height) * width;
+  }
+
+  /// The place in row(y) of the picture's first pixel of row y >= 0; what follows goes on from the
+  /// start of the row when it has reached its end.
+  int column(int y) const noexcept {
+    if (shift == 0) return 0;
+    const long long right = static_cast<long long>(y / height) * shift % width;
+    return right == 0 ? 0 : static_cast<int>(width - right);
   }
 };
 
