@@ -52,14 +52,15 @@ TEST(OpenCodeSink, OpensEveryFormatOfTheList) {
 TEST(OpenCodeSink, TellsTheFormatsThereAre) {
   const FrameInfo info = frame_info("gray8", 5, 4);
   EXPECT_EQ(
-      open_error(info, "a.gif"),
-      "2 a.gif: unknown extension 'gif'; use one of: png pnm pbm pgm ppm raw bin h hpp c inc");
+      open_error(info, "a.jpg"),
+      "2 a.jpg: unknown extension 'jpg'; use one of: png gif bmp dib tif tiff pnm pbm pgm ppm raw "
+      "bin h hpp c inc");
   EXPECT_EQ(open_error(info, "a"),
-            "2 a: has no extension that tells the format; use one of: png pnm pbm pgm ppm raw bin "
-            "h hpp c inc");
+            "2 a: has no extension that tells the format; use one of: png gif bmp dib tif tiff "
+            "pnm pbm pgm ppm raw bin h hpp c inc");
   EXPECT_EQ(open_error(info, "-"),
-            "2 standard output: has no extension that tells the format; name one of: png, pnm, "
-            "raw, c");
+            "2 standard output: has no extension that tells the format; name one of: png, gif, "
+            "bmp, tiff, pnm, raw, c");
   FrameWriteOptions options;
   options.format = "pnmm";
   EXPECT_EQ(open_error(info, "a", options), "2 format: unknown name 'pnmm'; did you mean pnm?");
@@ -74,6 +75,9 @@ TEST(OpenCodeSink, RejectsWhatIsNoFrame) {
   EXPECT_THROW(open(info), std::invalid_argument);
   info.palette.clear();
   info.gamma = 0;
+  EXPECT_THROW(open(info), std::invalid_argument);
+  info.gamma.reset();
+  info.frames = 0;
   EXPECT_THROW(open(info), std::invalid_argument);
 }
 
@@ -94,6 +98,7 @@ TEST(CodeSink, RejectsRowsAndCodesThatAreNotOfTheFrame) {
     SCOPED_TRACE(format.name);
     FrameWriteOptions options;
     options.format = format.name;
+    if (format.name == "gif") continue;  // holds no RGB
     const TestFrame frame = random_frame(frame_info("rgb565", 4, 3));
     const auto sink = open_code_sink(directory.file("out"), frame.info, options);
     ImageView<const std::uint16_t> view = frame.view();

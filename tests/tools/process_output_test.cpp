@@ -9,7 +9,8 @@ namespace {
 
 class ProcessOutput : public CommandTest {};
 
-const std::string kFormats = "use one of: png pnm pbm pgm ppm raw bin h hpp c inc exr";
+const std::string kFormats =
+    "use one of: png gif bmp dib tif tiff pnm pbm pgm ppm raw bin h hpp c inc exr";
 
 TEST_F(ProcessOutput, NeedsANameWithAKnownFormat) {
   refuses("process s.exr -d srgb", 2, "--output: is missing; give -o result.png, or another name");
@@ -17,7 +18,7 @@ TEST_F(ProcessOutput, NeedsANameWithAKnownFormat) {
           "x: has no extension that tells the format; " + kFormats);
   refuses("process s.exr -d srgb -o x.jpg", 2, "x.jpg: unknown extension 'jpg'; " + kFormats);
   refuses("process s.exr -d srgb -o x.png --format jpg", 2,
-          "--format: unknown format 'jpg'; use one of: png, pnm, raw, c, exr");
+          "--format: unknown format 'jpg'; use one of: png, gif, bmp, tiff, pnm, raw, c, exr");
   refuses("process s.exr -d srgb -o x.png --format ppm", 2,
           "--format: unknown format 'ppm'; did you mean pnm?");
 }

@@ -17,18 +17,21 @@ struct PaletteEntry {
   std::array<std::uint8_t, 3> srgb{};  // what it looks like, relative to the device's white
   std::uint16_t code = 0;              // what the frame buffer holds for it
   std::string name;                    // may be empty
+  std::uint8_t alpha = 255;            // coverage; files without it take the colour as it is
 };
 
 /// What a frame of codes is, before any of its rows is written.
 ///
 /// Samples are what the frame buffer holds, except where there is a palette: then they are
-/// positions in it (PNG keeps them, in the palette's order; raw and C writers store the entry's
-/// code instead).
+/// positions in it (PNG, GIF, BMP and TIFF keep them, in the palette's order; raw and C writers
+/// store the entry's code instead).
 struct FrameInfo {
   int width = 0;
   int height = 0;
   FrameLayout layout;
   std::vector<PaletteEntry> palette;
+  int frames = 1;      // pictures of that size, one after the other, for formats that move
+  double delay_s = 0;  // seconds that each of them is shown
 
   // For the file formats that describe their colours; the codes do not depend on them.
   Primaries primaries;          // of RGB codes

@@ -9,16 +9,20 @@
 #include "tristim/frame/pack.h"
 
 namespace tristim::detail {
-FileSink::FileSink(const std::string& path, const FrameInfo& info, bool replace)
-    : info_(info), file_(path, replace) {}
+FileSink::FileSink(const std::string& path, const FrameInfo& info, bool replace, bool seekable)
+    : info_(info), file_(path, replace, seekable) {}
+
+std::int64_t FileSink::all_rows() const noexcept {
+  return std::int64_t{info_.height} * info_.frames;
+}
 
 void FileSink::write(ImageView<const std::uint16_t> rows) {
   const int samples = info_.layout.packing.samples;
-  if (rows.width != info_.width || rows.channels != samples || rows.height > info_.height - rows_) {
+  if (rows.width != info_.width || rows.channels != samples || rows.height > all_rows() - rows_) {
     throw std::invalid_argument(
         "CodeSink::write: rows " + std::to_string(rows_) + " to " +
         std::to_string(rows_ + rows.height) + ", " + std::to_string(rows.width) + " pixels of " +
-        std::to_string(rows.channels) + " samples, expected " + std::to_string(info_.height) +
+        std::to_string(rows.channels) + " samples, expected " + std::to_string(all_rows()) +
         " rows of " + std::to_string(info_.width) + " pixels of " + std::to_string(samples));
   }
   for (int y = 0; y < rows.height; ++y) {
@@ -29,9 +33,9 @@ void FileSink::write(ImageView<const std::uint16_t> rows) {
 }
 
 void FileSink::finish() {
-  if (rows_ != info_.height) {
+  if (rows_ != all_rows()) {
     throw std::logic_error("CodeSink::finish: after " + std::to_string(rows_) +
-                           " rows, expected after " + std::to_string(info_.height));
+                           " rows, expected after " + std::to_string(all_rows()));
   }
   write_end();
   file_.commit();
@@ -67,6 +71,10 @@ void check_frame(const FrameInfo& info) {
     throw std::invalid_argument("FrameInfo: a palette with packing " +
                                 std::string(info.layout.packing.name) +
                                 ", expected a packing of one sample");
+  }
+  if (info.frames < 1) {
+    throw std::invalid_argument("FrameInfo: " + std::to_string(info.frames) +
+                                " pictures, expected at least 1");
   }
   if (info.gamma && !(*info.gamma > 0)) {
     throw std::invalid_argument("FrameInfo: gamma " + std::to_string(*info.gamma) +

@@ -15,9 +15,8 @@ namespace tristim::detail {
 /// codes.
 class FileSink : public CodeSink {
  public:
-  /// Throws std::invalid_argument for a size below 1x1 or a palette of RGB codes; Error as
-  /// OutputFile does.
-  FileSink(const std::string& path, const FrameInfo& info, bool replace);
+  /// `seekable`: the writer goes back in the file. Throws Error as OutputFile does.
+  FileSink(const std::string& path, const FrameInfo& info, bool replace, bool seekable = false);
 
   /// Throws std::invalid_argument for rows of another shape, too many rows or a code out of range.
   void write(ImageView<const std::uint16_t> rows) final;
@@ -34,14 +33,15 @@ class FileSink : public CodeSink {
 
  private:
   void check_codes(std::span<const std::uint16_t> codes) const;
+  std::int64_t all_rows() const noexcept;  // of all pictures
 
   FrameInfo info_;
   OutputFile file_;
-  int rows_ = 0;
+  std::int64_t rows_ = 0;  // written
 };
 
-/// Throws std::invalid_argument for a size below 1x1, a palette of RGB codes or a gamma that is not
-/// above 0.
+/// Throws std::invalid_argument for a size below 1x1, no pictures, a palette of RGB codes or a
+/// gamma that is not above 0.
 void check_frame(const FrameInfo& info);
 
 inline unsigned max_code(int bits) noexcept { return (1u << bits) - 1; }

@@ -12,6 +12,7 @@
 #include "lib/frame/io/formats.h"
 #include "lib/frame/io/png_file.h"
 #include "lib/frame/io/png_stripe.h"
+#include "lib/frame/io/row_widening.h"
 #include "tristim/core/error.h"
 #include "tristim/frame/pack.h"
 
@@ -70,39 +71,22 @@ class PngSink final : public FileSink {
         level_(options.png_level),
         pixel_bytes_(std::max(1, shape.depth * shape.samples / 8)),
         filter_(shape.colour != PngColour::kPalette && shape.depth >= 8),
+        indexed_(shape.colour == PngColour::kPalette),
+        widening_(frame, shape.depth),
         idat_(zlib_header(level_)),
         stripes_at_once_(static_cast<std::size_t>(thread_count(options.threads))) {
     const int second = shape.samples == 3 ? shape.depth : 0;
     packed_.packing = {"", shape.samples, {shape.depth, second, second}, false, false};
     above_.resize(packed_row_bytes(packed_.packing, frame.width));
     stripe_bytes_ = std::max(kStripeBytes / above_.size(), kMinStripeRows) * above_.size();
-    if (is_widened(frame, shape)) make_widening(shape);
   }
 
  private:
-  void make_widening(const PngShape& shape) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(shape.samples); ++k) {
-      const int bits = info().layout.packing.bits[k];
-      for (unsigned code = 0; code <= max_code(bits); ++code) {
-        wide_[k].push_back(widen(code, bits, shape.depth));
-      }
-    }
-    wide_row_.resize(static_cast<std::size_t>(info().width) * static_cast<unsigned>(shape.samples));
-  }
-
   void write_row(std::span<const std::uint16_t> codes) override {
     if (rows_.size() == stripe_bytes_) end_stripe(false);
     rows_.resize(rows_.size() + above_.size());
     const auto packed = std::span(rows_).last(above_.size());
-    pack_row(wide_row_.empty() ? codes : widened(codes), packed_, packed);
-  }
-
-  std::span<const std::uint16_t> widened(std::span<const std::uint16_t> codes) {
-    const auto samples = static_cast<std::size_t>(packed_.packing.samples);
-    for (std::size_t k = 0; k < samples; ++k) {
-      for (std::size_t i = k; i < codes.size(); i += samples) wide_row_[i] = wide_[k][codes[i]];
-    }
-    return wide_row_;
+    pack_row(indexed_ ? codes : widening_(codes), packed_, packed);
   }
 
   // Compresses the rows collected so far on a thread of their own, a few stripes at a time; the
@@ -145,6 +129,8 @@ class PngSink final : public FileSink {
   int level_;
   int pixel_bytes_;
   bool filter_;
+  bool indexed_;
+  RowWidening widening_;
   FrameLayout packed_;               // PNG's own: most significant bit and byte first
   std::size_t stripe_bytes_ = 0;     // depends on the width only, as the file's bytes shall
   std::vector<std::uint8_t> above_;  // the row before the stripe
@@ -152,9 +138,7 @@ class PngSink final : public FileSink {
   std::vector<std::uint8_t> idat_;   // of the next chunk
   std::size_t stripes_at_once_;
   std::deque<std::future<CompressedStripe>> running_;
-  uLong adler_ = 1;                                 // of all filtered bytes [RFC1950]
-  std::array<std::vector<std::uint16_t>, 3> wide_;  // the PNG sample of each code
-  std::vector<std::uint16_t> wide_row_;             // empty where codes are samples
+  uLong adler_ = 1;  // of all filtered bytes [RFC1950]
 };
 
 }  // namespace

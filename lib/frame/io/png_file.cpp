@@ -129,9 +129,12 @@ struct PngFile::State {
 PngFile::PngFile(OutputFile& file, const FrameInfo& frame, const PngShape& shape)
     : state_(std::make_unique<State>(file)) {
   std::vector<png_color> palette;
+  std::vector<png_byte> alpha;
   for (const PaletteEntry& entry : frame.palette) {
     palette.push_back({entry.srgb[0], entry.srgb[1], entry.srgb[2]});
+    alpha.push_back(entry.alpha);
   }
+  while (!alpha.empty() && alpha.back() == 255) alpha.pop_back();
   png_structp png = state_->png;
   png_infop info = state_->info;
   state_->guarded([&] {
@@ -142,6 +145,9 @@ PngFile::PngFile(OutputFile& file, const FrameInfo& frame, const PngShape& shape
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (!palette.empty()) {
       png_set_PLTE(png, info, palette.data(), static_cast<int>(palette.size()));
+    }
+    if (!alpha.empty()) {
+      png_set_tRNS(png, info, alpha.data(), static_cast<int>(alpha.size()), nullptr);
     }
     set_colour(png, info, frame);
     if (is_widened(frame, shape)) set_significant_bits(png, info, frame);

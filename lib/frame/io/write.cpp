@@ -17,9 +17,8 @@ struct Opener {
 };
 
 constexpr Opener kOpeners[] = {
-    {"png", detail::open_png},
-    {"pnm", detail::open_pnm},
-    {"raw", detail::open_raw},
+    {"png", detail::open_png},    {"gif", detail::open_gif}, {"bmp", detail::open_bmp},
+    {"tiff", detail::open_tiff},  {"pnm", detail::open_pnm}, {"raw", detail::open_raw},
     {"c", detail::open_c_header},
 };
 static_assert(std::size(kOpeners) == std::size(kFrameFormats));
@@ -66,6 +65,12 @@ std::unique_ptr<CodeSink> open_code_sink(const std::string& path, const FrameInf
   detail::check_frame(info);
   const FrameFormat& format =
       options.format.empty() ? format_of_path(path) : format_named(options.format);
+  if (info.frames > 1 && !format.moves) {
+    throw Error(
+        ErrorKind::kMisuse, path,
+        std::string(format.name) + " holds one picture, these are " + std::to_string(info.frames),
+        "write a moving picture as GIF");
+  }
   return find_by_name(kOpeners, format.name)->open(path, info, options);
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "lib/image/io/indexed_readers.h"
 #include "lib/image/io/readers.h"
 #include "tristim/core/error.h"
 
@@ -51,7 +52,9 @@ constexpr Signature kSignatures[] = {
 };
 constexpr std::size_t kSniffedBytes = 16;
 
-std::string_view sniff_format(const InputFile& file) {
+}  // namespace
+
+std::string sniff_format(const InputFile& file) {
   std::array<std::byte, kSniffedBytes> head = {};
   const std::size_t count = file.read_at(0, head);
   const std::string_view bytes(reinterpret_cast<const char*>(head.data()), count);
@@ -59,15 +62,17 @@ std::string_view sniff_format(const InputFile& file) {
     return bytes.size() >= signature.position &&
            bytes.substr(signature.position).starts_with(signature.bytes);
   });
-  return found != std::ranges::end(kSignatures) ? found->format : std::string_view{};
+  return std::string(found != std::ranges::end(kSignatures) ? found->format : std::string_view{});
 }
+
+namespace {
 
 OpenedPicture open_any(const std::string& path, const ReadOptions& options) {
   const auto file = std::make_shared<const InputFile>(path);
   if (file->size() == 0) {
     throw Error(ErrorKind::kContent, file->name(), "is empty", "write or copy it again");
   }
-  const std::string format(sniff_format(*file));
+  const std::string format = sniff_format(*file);
   if (format.empty()) {
     throw Error(ErrorKind::kContent, file->name(),
                 "is no picture: its first bytes are of no known format",
