@@ -12,9 +12,8 @@ struct DoubleDouble {
   double hi = 0, lo = 0;
 
   constexpr DoubleDouble() noexcept = default;
-  constexpr DoubleDouble(double high,
-                         double low = 0) noexcept  // NOLINT(google-explicit-constructor)
-      : hi(high), lo(low) {}                       // a double is such a number
+  // A double is such a number. NOLINTNEXTLINE(google-explicit-constructor)
+  constexpr DoubleDouble(double high, double low = 0) noexcept : hi(high), lo(low) {}
 
   /// Rounded once.
   constexpr double value() const noexcept { return hi + lo; }

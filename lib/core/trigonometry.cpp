@@ -1,18 +1,14 @@
 #include "lib/core/trigonometry.h"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <utility>
+
+#include "lib/core/arctangent.h"
 
 namespace tristim::detail {
 namespace {
 
 using Dd = DoubleDouble;
-
-constexpr Dd kRadiansPerDegree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
-constexpr Dd kDegreesPerRadian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};
 
 // Sine (first = x, from = 2) or cosine (first = 1, from = 1) by its Taylor series.
 Dd series(Dd first, Dd x2, int from) noexcept {
@@ -26,44 +22,6 @@ Dd series(Dd first, Dd x2, int from) noexcept {
   return sum;
 }
 
-// arctan x for |x| <= 1/64: x - x^3/3 + x^5/5 ...
-Dd arctangent_series(Dd x) noexcept {
-  const Dd x2 = multiply(x, x);
-  Dd sum{0, 0};
-  for (int n = 19; n >= 3; n -= 2)
-    sum = multiply(subtract(divide({1, 0}, {double(n), 0}), sum), x2);
-  return multiply(x, subtract({1, 0}, sum));
-}
-
-constexpr int kNodes = 32;
-
-// arctan(k/32), each from the one before: arctan a = arctan b + arctan((a - b)/(1 + ab)).
-std::array<Dd, kNodes + 1> arctangent_nodes() noexcept {
-  std::array<Dd, kNodes + 1> nodes{};
-  for (std::size_t k = 1; k <= kNodes; ++k) {
-    const double a = double(k) / kNodes;
-    const double b = double(k - 1) / kNodes;
-    const double middle = (a + b) / 2;  // half steps, so that the series' argument is small enough
-    const Dd low = divide({middle - b, 0}, {1 + middle * b, 0});
-    const Dd high = divide({a - middle, 0}, {1 + a * middle, 0});
-    nodes[k] = add(nodes[k - 1], add(arctangent_series(low), arctangent_series(high)));
-  }
-  return nodes;
-}
-
-// arctan(y/x) in degrees for 0 <= y <= x, x > 0, both in the middle of the range of doubles.
-Dd octant_deg(double y, double x) noexcept {
-  static const std::array<Dd, kNodes + 1> nodes = arctangent_nodes();
-  const double node = std::nearbyint(y / x * kNodes);
-  const Dd c{node / kNodes, 0};
-  // arctan(y/x) = arctan c + arctan((y - cx)/(x + cy))
-  const Dd rise = subtract({y, 0}, multiply(c, x));
-  const Dd run = add({x, 0}, multiply(c, y));
-  const Dd radians =
-      add(nodes[static_cast<std::size_t>(node)], arctangent_series(divide(rise, run)));
-  return multiply(radians, kDegreesPerRadian);
-}
-
 // The angle of a vector of the first quadrant that is not 0.
 Dd quadrant_deg(double y, double x) noexcept {
   if (std::isinf(x) && std::isinf(y)) return {45, 0};
@@ -72,7 +30,7 @@ Dd quadrant_deg(double y, double x) noexcept {
   (void)std::frexp(std::fmax(x, y), &exponent);
   x = std::ldexp(x, -exponent);  // products of subnormal numbers would lose their digits
   y = std::ldexp(y, -exponent);
-  return y <= x ? octant_deg(y, x) : subtract({90, 0}, octant_deg(x, y));
+  return arctangent(y, x) * kDegreesPerRadian;
 }
 
 }  // namespace

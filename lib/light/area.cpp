@@ -63,7 +63,7 @@ double polygon_form_factor(std::span<const Vector3d> polygon, const Vector3d& po
     const PreciseVector across = cross(b, a);  // the lit side sees the vertices run clockwise
     const DoubleDouble sine = length(across);
     if (!(sine.hi > 0)) continue;
-    sum = sum + detail::arc_tangent(sine, dot(a, b)) * dot(across, precise(normal)) / sine;
+    sum = sum + detail::arctangent(sine, dot(a, b)) * dot(across, precise(normal)) / sine;
   }
   const double factor = (sum / (2 * detail::kPi)).hi;
   return factor > 0 ? factor : 0;

@@ -33,7 +33,7 @@ Dd bell(Dd x, double m) noexcept {
 DoubleDouble gauss_density(DoubleDouble cos_beta, double m) noexcept {
   if (!(cos_beta.hi >= 0)) return 0;
   const Dd c = at_most_one(cos_beta);
-  return bell(arc_tangent(square_root((1 - c) * (1 + c)), c), usable_slope(m));
+  return bell(arctangent(square_root((1 - c) * (1 + c)), c), usable_slope(m));
 }
 
 DoubleDouble beckmann_density(DoubleDouble cos_beta, double m) noexcept {

@@ -30,7 +30,7 @@ struct SumRule {
   int first_nm, last_nm, step_nm;
 
   constexpr std::size_t count() const {
-    return static_cast<std::size_t>(last_nm - first_nm) / static_cast<std::size_t>(step_nm) + 1;
+    return static_cast<std::size_t>((last_nm - first_nm) / step_nm) + 1;
   }
   constexpr int lambda_nm(std::size_t i) const { return first_nm + static_cast<int>(i) * step_nm; }
 };

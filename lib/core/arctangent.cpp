@@ -1,4 +1,4 @@
-#include "lib/light/angle.h"
+#include "lib/core/arctangent.h"
 
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr DoubleDouble series(DoubleDouble x) noexcept {
 }
 
 // arctan(k/64), each from the one before: arctan a = arctan b + arctan((a - b)/(1 + ab)).
-constexpr std::array<DoubleDouble, kNodes + 1> arc_tangents() noexcept {
+constexpr std::array<DoubleDouble, kNodes + 1> arctangents() noexcept {
   std::array<DoubleDouble, kNodes + 1> nodes{};
   for (std::size_t k = 1; k <= kNodes; ++k) {
     const double a = double(k) / kNodes;
@@ -27,19 +27,19 @@ constexpr std::array<DoubleDouble, kNodes + 1> arc_tangents() noexcept {
   }
   return nodes;
 }
-constexpr auto kArcTangent = arc_tangents();
+constexpr auto kArctangent = arctangents();
 
 // For 0 <= y <= x, x > 0.
 DoubleDouble octant(DoubleDouble y, DoubleDouble x) noexcept {
   const double k = std::nearbyint(y.hi / x.hi * kNodes);
   const double c = k / kNodes;
   // arctan(y/x) = arctan c + arctan((y - cx)/(x + cy))
-  return kArcTangent[static_cast<std::size_t>(k)] + series((y - x * c) / (x + y * c));
+  return kArctangent[static_cast<std::size_t>(k)] + series((y - x * c) / (x + y * c));
 }
 
 }  // namespace
 
-DoubleDouble arc_tangent(DoubleDouble y, DoubleDouble x) noexcept {
+DoubleDouble arctangent(DoubleDouble y, DoubleDouble x) noexcept {
   if (!(y.hi > 0) && !(x.hi < 0)) return 0;
   const DoubleDouble across = x.hi < 0 ? -x : x;
   const DoubleDouble angle = y.hi <= across.hi ? octant(y, across) : kPi / 2 - octant(across, y);
