@@ -1,25 +1,9 @@
 #include "tristim/dither/levels.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace tristim {
-namespace {
-
-// The points above which the upper of two levels is nearer in light.
-std::vector<float> half_way(const std::vector<float>& light) {
-  std::vector<float> points;
-  for (std::size_t i = 1; i < light.size(); ++i) {
-    const auto middle = static_cast<float>((double{light[i - 1]} + double{light[i]}) / 2);
-    points.push_back(std::nextafter(middle, std::numeric_limits<float>::infinity()));
-  }
-  return points;
-}
-
-}  // namespace
-
 NearestLevel::NearestLevel(std::span<const float> threshold, std::span<const std::uint16_t> code)
     : search_(threshold), code_(code.begin(), code.end()) {}
 
@@ -58,32 +42,6 @@ void OrderedDither::row(ChannelRow<const float> in, int y, ChannelRow<std::uint1
     out[x] = levels_.code[static_cast<std::size_t>(lower + (upper ? 1 : 0))];
     column = column + 1 == matrix_.width ? 0 : column + 1;
   }
-}
-
-LevelDiffusion::LevelDiffusion(const MixLevels& levels, int width, const DiffusionOptions& options)
-    : levels_(levels),
-      search_(half_way(levels.light)),
-      options_(options),
-      width_(width),
-      errors_(*options.kernel, width, 1) {}
-
-void LevelDiffusion::row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out,
-                         std::span<const float> strength) {
-  const bool reversed = options_.serpentine && y_ % 2 == 1;
-  const int direction = reversed ? -1 : 1;
-  const float low = levels_.light.front();
-  const float high = levels_.light.back();
-  for (int i = 0; i < width_; ++i) {
-    const int x = reversed ? width_ - 1 - i : i;
-    const float wanted = std::clamp(in[x], low, high) + errors_.received(x, 0);
-    const auto level = static_cast<std::size_t>(search_.count_not_above(wanted));
-    out[x] = levels_.code[level];
-    float error = wanted - levels_.light[level];
-    if (!strength.empty()) error *= strength[static_cast<std::size_t>(x)];
-    errors_.spread(x, 0, error, direction);
-  }
-  errors_.next_row();
-  ++y_;
 }
 
 }  // namespace tristim

@@ -17,6 +17,16 @@ const std::vector<NamedDither>& dither_methods() {
   return methods;
 }
 
+DiffusionOptions diffusion_options(const DiffusionKernel& kernel,
+                                   const DitherParameters& parameters, int channel) {
+  constexpr std::uint64_t kOtherChannel = 0x9E3779B97F4A7C15;  // what is left to chance differs
+  return {.kernel = &kernel,
+          .serpentine = parameters.serpentine.value_or(kernel.serpentine),
+          .jitter = parameters.jitter.value_or(kernel.jitter),
+          .seed = parameters.seed + static_cast<std::uint64_t>(channel) * kOtherChannel,
+          .settled = parameters.settled};
+}
+
 std::vector<ThresholdMatrix> dither_matrices(const DitherMethod& method,
                                              const DitherParameters& parameters, int channels) {
   const auto count = static_cast<std::size_t>(channels);

@@ -171,6 +171,8 @@ void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> 
                            std::span<const float> strength) noexcept {
   const bool reversed = options_.serpentine && y_ % 2 == 1;
   const int direction = reversed ? -1 : 1;
+  std::span<const ToneWeights> tones;
+  if (options_.kernel->tones != nullptr) tones = options_.kernel->tones();
   for (int i = 0; i < width_; ++i) {
     const int x = reversed ? width_ - 1 - i : i;
     const auto at = static_cast<std::size_t>(x);
@@ -179,15 +181,22 @@ void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> 
       indices[at] = static_cast<std::uint16_t>(entry);
       continue;
     }
-    for (int c = 0; c < 3; ++c) color[static_cast<std::size_t>(c)] += errors_.received(x, c);
+    const float share = strength.empty() ? 1 : strength[at];
+    for (int c = 0; c < 3; ++c) {
+      color[static_cast<std::size_t>(c)] += errors_.received(x, c) * share;
+    }
     color = palette_->bounded(color);
     const int index = palette_->nearest(color);
     indices[at] = static_cast<std::uint16_t>(index);
     const Color& got = palette_->entry(index);
-    const float share = strength.empty() ? 1 : strength[at];
     for (int c = 0; c < 3; ++c) {
       const auto channel = static_cast<std::size_t>(c);
-      errors_.spread(x, c, (color[channel] - got[channel]) * share, direction);
+      const float error = (color[channel] - got[channel]) * share;
+      if (tones.empty()) {
+        errors_.spread(x, c, error, direction);
+      } else {
+        errors_.spread(x, c, error, direction, tones[tone_index(rgb[3 * at + channel])]);
+      }
     }
   }
   errors_.next_row();

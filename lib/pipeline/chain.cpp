@@ -67,7 +67,7 @@ ReduceOptions reduce_options(const Display& display, const Settings& settings) {
   const bool dithered = !std::holds_alternative<NoDither>(dither.method);
   const Metric* usual = find_by_name(kMetrics, dithered ? "oklab-toe" : "oklab");
   DitherParameters parameters = settings.dither_parameters;
-  parameters.serpentine = settings.serpentine.value_or(display.frame.packing.indexed);
+  if (!parameters.serpentine && display.frame.packing.indexed) parameters.serpentine = true;
   return {.dither = dither.method,
           .parameters = parameters,
           .metric = settings.metric != nullptr ? *settings.metric : *usual,

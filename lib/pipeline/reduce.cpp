@@ -69,7 +69,7 @@ LevelScale palette_scale(const Display& display, const ReduceOptions& options) {
 
 // `matrix` of an ordered method, else null.
 ChannelReducer channel_reducer(const LevelScale& scale, const ReduceOptions& options,
-                               const ThresholdMatrix* matrix, int width) {
+                               const ThresholdMatrix* matrix, int channel, int width) {
   if (std::holds_alternative<NoDither>(options.dither)) {
     return NearestLevel(scale.threshold, scale.nearest);
   }
@@ -82,8 +82,7 @@ ChannelReducer channel_reducer(const LevelScale& scale, const ReduceOptions& opt
     return WholeChannel{whole, std::move(levels)};
   }
   const auto& kernel = std::get<DiffusionKernel>(options.dither);
-  return LevelDiffusion(levels, width,
-                        {.kernel = &kernel, .serpentine = options.parameters.serpentine});
+  return LevelDiffusion(levels, width, diffusion_options(kernel, options.parameters, channel));
 }
 
 // Coverage of dots that looks like an asked tone where dots gain [Murray36]: the parabola a + 4 g a
@@ -122,7 +121,7 @@ const NamedDither& default_dither(const Display& display) {
   const int least_bits = packing.samples == 3
                              ? *std::min_element(packing.bits.begin(), packing.bits.end())
                              : packing.bits[0];
-  const char* name = "floyd-steinberg";
+  const char* name = least_bits == 1 && !packing.indexed ? "blue-diffusion" : "floyd-steinberg";
   if (!holds_dots) name = "clustered8";
   if (least_bits >= 8 && !packing.indexed && display.palette.empty()) name = "none";
   return *find_by_name(dither_methods(), name);
@@ -165,9 +164,7 @@ void Reducer::State::set_up_palette(int width) {
   palette.emplace(entries, options.metric, options.mix);
   srgb_from_device = to_srgb.cast<float>();
   if (const auto* kernel = std::get_if<DiffusionKernel>(&options.dither)) {
-    diffusion.emplace(
-        *palette, width,
-        DiffusionOptions{.kernel = kernel, .serpentine = options.parameters.serpentine});
+    diffusion.emplace(*palette, width, diffusion_options(*kernel, options.parameters));
   }
 }
 
@@ -282,7 +279,7 @@ Reducer::Reducer(const Display& display, const ReduceOptions& options, int width
                                  : palette_scale(s.display, s.options);
     const auto channel = static_cast<std::size_t>(c);
     const ThresholdMatrix* matrix = s.matrices.empty() ? nullptr : &s.matrices[channel];
-    s.channels.push_back(channel_reducer(scale, s.options, matrix, width));
+    s.channels.push_back(channel_reducer(scale, s.options, matrix, c, width));
     s.scales.push_back(scale);
   }
 }
@@ -353,8 +350,15 @@ std::vector<StepReport> Reducer::explain() const {
   if (s.options.parameters.strength != 1) {
     dither.numbers.emplace_back("strength", shortest(s.options.parameters.strength));
   }
-  if (in_order())
-    dither.numbers.emplace_back("serpentine", s.options.parameters.serpentine ? "yes" : "no");
+  if (const auto* kernel = std::get_if<DiffusionKernel>(&s.options.dither)) {
+    const DiffusionOptions told = diffusion_options(*kernel, s.options.parameters);
+    dither.numbers.emplace_back("serpentine", told.serpentine ? "yes" : "no");
+    if (passed_on(*kernel) < 1) {
+      dither.numbers.emplace_back(
+          "passes on", shortest(passed_on(*kernel)) + " of the error: gains contrast, loses tone");
+    }
+    if (told.jitter > 0) dither.numbers.emplace_back("jitter", shortest(told.jitter));
+  }
   steps.push_back(std::move(dither));
   return steps;
 }

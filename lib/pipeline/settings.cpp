@@ -96,9 +96,19 @@ Result set_background(Settings& settings, std::string_view value) {
   return {};
 }
 
-Result set_serpentine(Settings& settings, std::string_view value) {
+template <typename Assign>
+Result set_switch(std::string_view value, Assign&& assign) {
   if (value != "true" && value != "false") return not_a("switch", value, "give true or false");
-  settings.serpentine = value == "true";
+  assign(value == "true");
+  return {};
+}
+
+Result set_jitter(Settings& settings, std::string_view value) {
+  const auto jitter = parse_number(value);
+  if (!jitter || !(*jitter >= 0 && *jitter <= 1)) {
+    return not_a("jitter", value, "give 0 for a fixed threshold to 1 for the step between levels");
+  }
+  settings.dither_parameters.jitter = static_cast<float>(*jitter);
   return {};
 }
 
@@ -201,13 +211,29 @@ std::vector<Setting> make_settings() {
          return choose("black point", kBlackPoints, v,
                        [&](const NamedBlackPoint& p) { s.black_point = p.point; });
        }},
-      {"dither", list_names(dither_methods(), "|"),
-       "how tones between the codes are made; default: what suits the device",
+      {"dither", "NAME",
+       "how tones between the codes are made: " + list_names(dither_methods()) +
+           "; default: what suits the device",
        [](Settings& s, std::string_view v) {
          return choose("dither", dither_methods(), v, [&](const NamedDither& d) { s.dither = d; });
        }},
-      {"serpentine", "", "error diffusion turns round at every row; default: for indexed devices",
-       set_serpentine},
+      {"serpentine", "",
+       "error diffusion turns round at every row; default: for indexed devices, else what suits "
+       "the "
+       "kernel: floyd-steinberg does not",
+       [](Settings& s, std::string_view v) {
+         return set_switch(v, [&](bool on) { s.dither_parameters.serpentine = on; });
+       }},
+      {"settled", "",
+       "error diffusion begins in flat fields at the top as if they went on above, which keeps "
+       "their tone; default: yes",
+       [](Settings& s, std::string_view v) {
+         return set_switch(v, [&](bool on) { s.dither_parameters.settled = on; });
+       }},
+      {"jitter", "0..1",
+       "error diffusion with a threshold by chance, within so much of the step between levels: "
+       "breaks worms and costs sharpness; default: 0, blue-diffusion .15",
+       set_jitter},
       {"strength", "0..1", "share of the dither: 0 takes the nearest code; default: 1",
        set_strength},
       {"dither-mask", "PICTURE", "strength by pixel: black keeps the nearest code, white dithers",

@@ -17,28 +17,6 @@ std::array<std::vector<float>, 3> received(ErrorRows& errors, int width, int cha
   return rows;
 }
 
-TEST(DiffusionKernels, SendNothingBackwards) {
-  for (const DiffusionKernel& kernel : kDiffusionKernels) {
-    SCOPED_TRACE(kernel.name);
-    for (std::size_t column = 0; column <= 2; ++column) EXPECT_EQ(kernel.weight[0][column], 0);
-  }
-}
-
-TEST(DiffusionKernels, ShareOutNoMoreThanTheError) {
-  for (const DiffusionKernel& kernel : kDiffusionKernels) {
-    SCOPED_TRACE(kernel.name);
-    int sum = 0;
-    for (const auto& row : kernel.weight) {
-      for (const int weight : row) {
-        EXPECT_GE(weight, 0);
-        sum += weight;
-      }
-    }
-    EXPECT_LE(sum, kernel.divisor);
-    EXPECT_GT(sum, 0);
-  }
-}
-
 TEST(FloydSteinberg, HasThePublishedWeights) {  // [FloydSteinberg76]
   ErrorRows errors(kFloydSteinberg, 5, 1);
   errors.spread(2, 0, 16, 1);

@@ -67,7 +67,7 @@ TEST(ReduceOptions, TakeWhatIsSet) {
   EXPECT_EQ(options.metric.name, "lab");
   EXPECT_EQ(options.mix, Mix::kEncoded);
   EXPECT_EQ(options.black_point, BlackPoint::kAbsolute);
-  EXPECT_TRUE(options.parameters.serpentine);
+  EXPECT_EQ(options.parameters.serpentine, true);
 }
 
 TEST(Prepare, TakesThePanelsSizeUnlessOneIsSet) {

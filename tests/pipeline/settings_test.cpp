@@ -38,6 +38,9 @@ const Example kExamples[] = {
      "unknown black point 'absolut'; did you mean absolute?"},
     {"dither", "\"bayer8\"", "\"byer8\"", "unknown dither 'byer8'; did you mean bayer8?"},
     {"serpentine", "true", "1", "'1' is no switch; give true or false"},
+    {"settled", "false", "no", "'no' is no switch; give true or false"},
+    {"jitter", "0.3", "1.5",
+     "'1.5' is no jitter; give 0 for a fixed threshold to 1 for the step between levels"},
     {"strength", "0.5", "2",
      "'2' is no strength; give 0 for the nearest code to 1 for the whole dither"},
     {"dither-mask", "\"mask.png\"", "[1]", "'dither-mask' must be a string, number or boolean"},
@@ -126,8 +129,8 @@ TEST(Settings, ChangeWhatTheyName) {
   EXPECT_EQ(set("gamut-map", "desaturate").gamut.name, "desaturate");
   EXPECT_EQ(set("black-point", "absolute").black_point, BlackPoint::kAbsolute);
   EXPECT_EQ(set("dither", "Bayer_8").dither->name, "bayer8");
-  EXPECT_EQ(set("serpentine", "true").serpentine, true);
-  EXPECT_EQ(set("serpentine", "false").serpentine, false);
+  EXPECT_EQ(set("serpentine", "true").dither_parameters.serpentine, true);
+  EXPECT_EQ(set("serpentine", "false").dither_parameters.serpentine, false);
   EXPECT_EQ(set("metric", "luv").metric->name, "luv");
   EXPECT_EQ(set("mix", "encoded").mix, Mix::kEncoded);
 }

@@ -8,8 +8,9 @@
 
 namespace tristim {
 
-/// The errors that rows still to come have received: the pixel's own row and the two below it, with
-/// margins that swallow what falls off the sides.
+/// The errors that rows still to come have received: the pixel's own row and the three below it,
+/// with margins for what falls off the sides: dropped, or of closed kernels given to the next row's
+/// pixel at that side.
 class ErrorRows {
  public:
   ErrorRows(const DiffusionKernel& kernel, int width, int channels);
@@ -25,8 +26,18 @@ class ErrorRows {
     }
   }
 
+  /// The same by the weights of a tone.
+  void spread(int x, int channel, float error, int direction, const ToneWeights& tone) noexcept {
+    rows_[0][index(x + direction, channel)] += error * tone.next;
+    rows_[1][index(x - direction, channel)] += error * tone.below_last;
+    rows_[1][index(x, channel)] += error * tone.below;
+  }
+
   /// Goes on to the next row.
   void next_row();
+
+  /// Takes away what column x has received in this row and those below.
+  void clear(int x) noexcept;
 
  private:
   struct Tap {
@@ -34,13 +45,15 @@ class ErrorRows {
     int dx;
     float weight;
   };
-  static constexpr int kMargin = 2;  // the reach of a kernel
+  static constexpr int kMargin = 3;  // the reach of a kernel
   std::size_t index(int x, int channel) const noexcept {
     return static_cast<std::size_t>((x + kMargin) * channels_ + channel);
   }
-  int channels_;
+  void turn_in(const std::vector<float>& margins, std::vector<float>& row) const noexcept;
+  int width_, channels_;
+  bool closed_;
   std::vector<Tap> taps_;
-  std::array<std::vector<float>, 3> rows_;
+  std::array<std::vector<float>, 4> rows_;
 };
 
 }  // namespace tristim

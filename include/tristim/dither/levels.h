@@ -63,6 +63,9 @@ class OrderedDither {
 struct DiffusionOptions {
   const DiffusionKernel* kernel = &kFloydSteinberg;
   bool serpentine = false;  // the second, fourth, ... row right to left with the kernel mirrored
+  float jitter = 0;         // 0 .. 1: the threshold by chance, within half of it on either side
+  std::uint64_t seed = 0;   // of what is left to chance
+  bool settled = true;      // flat fields at the top begin as if they went on above
 };
 
 /// Error diffusion between the levels of one channel, in light [FloydSteinberg76].
@@ -70,18 +73,33 @@ struct DiffusionOptions {
 /// The upper of two levels is taken above half way between them. Input is clipped to the levels'
 /// range, the stored error is not; error that falls off the picture is dropped. Rows must come in
 /// order, from the first.
+///
+/// Diffusion that begins without error gives its first dots late: near black a flat field loses a
+/// tenth of its light in 256 rows. So fields that are flat in the first row, 32 pixels or more,
+/// begin `settled`: with the errors that they would have if they went on above.
 class LevelDiffusion {
  public:
   LevelDiffusion(const MixLevels& levels, int width, const DiffusionOptions& options);
-  /// The next row. `strength`, pixel by pixel, 0 .. 1, is the share of the error that is passed on;
-  /// empty: 1.
+
+  /// The next row. `strength`, pixel by pixel, 0 .. 1, is the share of the errors that a pixel
+  /// takes and passes on; empty: 1.
   void row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out,
            std::span<const float> strength = {});
 
  private:
+  struct Place {
+    int x, y;
+    int direction;  // 1: from left to right
+  };
+  std::size_t choose(Place place, float light, float jitter, float share) noexcept;
+  void settle(ChannelRow<const float> first, std::span<const float> strength);
+
   MixLevels levels_;
   LevelSearch search_;  // half way points
+  LevelSearch lower_;   // which two levels a light lies between
   DiffusionOptions options_;
+  std::span<const ToneWeights> tones_;
+  std::uint32_t seed_;
   int width_;
   int y_ = 0;
   ErrorRows errors_;

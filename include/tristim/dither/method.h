@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tristim/dither/kernel.h"
+#include "tristim/dither/levels.h"
 #include "tristim/dither/threshold_matrix.h"
 #include "tristim/dither/whole_picture.h"
 
@@ -32,16 +33,22 @@ struct NamedDither {
 
 /// What a dither may be told; each method heeds what concerns it.
 struct DitherParameters {
-  int size = 0;              // side of a matrix that comes in sizes; 0: its own
-  std::uint64_t seed = 0;    // of what is left to chance
-  std::optional<int> frame;  // of an animation
-  bool serpentine = false;   // diffusion: every second row right to left with the kernel mirrored
-  float strength = 1;        // 0: the nearest code, 1: the whole dither
-  int effort = 0;            // how long a method that searches does so; 0: its own
+  int size = 0;                    // side of a matrix that comes in sizes; 0: its own
+  std::uint64_t seed = 0;          // of what is left to chance
+  std::optional<int> frame;        // of an animation
+  std::optional<bool> serpentine;  // diffusion, see DiffusionOptions; empty: the kernel's own
+  std::optional<float> jitter;     // diffusion, see DiffusionOptions; empty: the kernel's own
+  bool settled = true;             // diffusion, see DiffusionOptions
+  float strength = 1;              // 0: the nearest code, 1: the whole dither
+  int effort = 0;                  // how long a method that searches does so; 0: its own
 };
 
 /// "none", every matrix, every kernel, every method for whole pictures.
 const std::vector<NamedDither>& dither_methods();
+
+/// How a kernel diffuses the errors of a channel when told so.
+DiffusionOptions diffusion_options(const DiffusionKernel& kernel,
+                                   const DitherParameters& parameters, int channel = 0);
 
 /// The matrices that an ordered method dithers with, one for each of `channels` channels; empty for
 /// methods of other kinds.

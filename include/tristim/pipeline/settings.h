@@ -34,10 +34,9 @@ struct Settings {
   Adaptation adaptation = Adaptation::kBradford;
   GamutMethod gamut = kClip;
   BlackPoint black_point = BlackPoint::kRelative;
-  std::optional<NamedDither> dither;   // empty: what suits the device
-  DitherParameters dither_parameters;  // serpentine apart
-  std::optional<bool> serpentine;      // empty: where a palette of colours is diffused to
-  std::string dither_mask;             // a picture of the dither's strength; empty: none
+  std::optional<NamedDither> dither;  // empty: what suits the device
+  DitherParameters dither_parameters;
+  std::string dither_mask;  // a picture of the dither's strength; empty: none
   PaletteChoice palette;
   const Metric* metric = nullptr;  // nullptr: oklab, and oklab-toe where the palette is dithered
   Mix mix = Mix::kLight;
