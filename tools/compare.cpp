@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include "tools/commands.h"
+#include "tools/compare_picture.h"
 #include "tools/convert_rows.h"
 #include "tools/report.h"
 #include "tristim/color/conversion.h"
@@ -21,10 +22,13 @@ constexpr std::string_view kExamples =
     "  tristim compare --difference cmc:1.5:1 navy midnightblue\n"
     "  tristim compare --from lab --difference ciede2000 50 2.5 0 61 -5 29\n"
     "  printf '50 0 0\\n51 0 0\\n' | tristim compare --from lab --json\n"
-    "  tristim compare --list\n";
+    "  tristim compare --list\n"
+    "  tristim compare spheres.exr panel.png\n"
+    "  tristim compare spheres.exr panel.png --spd 60 --gate tone_max=0.5,hvs_snr@60=25\n"
+    "  tristim compare grey.png dithered.png --rapsd --plot texture.svg --json\n";
 
 struct Options {
-  std::string from = "rgb:srgb", difference;
+  std::string from, difference;  // "": rgb:srgb, and all
   std::vector<std::string> words;
   bool json = false, list = false;
 };
@@ -95,7 +99,8 @@ std::string line_of(const Measure& measure, double difference, bool only_one) {
 }
 
 void compare(const Options& options) {
-  const ModelReference from = parse_model(options.from, "--from");
+  const std::string model = options.from.empty() ? "rgb:srgb" : options.from;
+  const ModelReference from = parse_model(model, "--from");
   const std::vector<Measure> measures = measures_of(options, from);
   const std::vector<ColorRow> colors = read_colors(options, from);
   if (colors.empty() || colors.size() % 2 != 0) {
@@ -115,18 +120,33 @@ void compare(const Options& options) {
     }
     pairs.push_back(pair);
   }
-  print(options.json ? json_line(Json{{"from", options.from}, {"pairs", pairs}}) : text);
+  print(options.json ? json_line(Json{{"from", model}, {"pairs", pairs}}) : text);
+}
+
+void refuse_picture_options(const PictureComparison& pictures) {
+  if (pictures.given.empty() && !pictures.figures.texture) return;
+  throw Error(ErrorKind::kMisuse, pictures.given.empty() ? "--rapsd" : pictures.given.front(),
+              "is for pictures", "give the files of a reference and a result");
+}
+
+void refuse_color_options(const Options& options) {
+  if (options.from.empty() && options.difference.empty()) return;
+  throw Error(ErrorKind::kMisuse, options.from.empty() ? "--difference" : "--from",
+              "is for colours, not for pictures", "leave it out");
 }
 
 }  // namespace
 
 void run_compare(Arguments arguments) {
   Options options;
+  PictureComparison pictures;
   CommandLine line(*find_by_name(kCommands, "compare"), kExamples);
-  line.positional("COLORS...",
-                  "pairs of a reference and a sample: numbers, #rrggbb, CSS names; without any: "
-                  "rows of standard input, a colour each",
-                  options.words, 0, 1 << 20);
+  line.positional(
+      "PICTURES|COLORS...",
+      "two pictures, a reference and what became of it; or pairs of colours, a reference "
+      "and a sample: numbers, #rrggbb, CSS names; without any: rows of standard input, a "
+      "colour each",
+      options.words, 0, 1 << 20);
   line.option("--from", "MODEL", "of the numbers; default: rgb:srgb", options.from);
   line.option("--difference", "NAME",
               list_names(kDifferenceFormulas, "|") +
@@ -134,9 +154,18 @@ void run_compare(Arguments arguments) {
               options.difference);
   line.flag("--json", "print the differences as JSON", options.json);
   line.flag("--list", "print the differences with their formulas and sources", options.list);
+  declare_picture_options(line, pictures);
   if (!line.parse(arguments)) return;
   if (options.list) return list_formulas(options.json);
-  compare(options);
+  if (!are_pictures(options.words)) {
+    refuse_picture_options(pictures);
+    return compare(options);
+  }
+  refuse_color_options(options);
+  pictures.pair.reference = options.words[0];
+  pictures.pair.result = options.words[1];
+  pictures.json = options.json;
+  compare_pictures(pictures);
 }
 
 }  // namespace tristim::tools

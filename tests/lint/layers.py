@@ -11,6 +11,7 @@ MAY_INCLUDE = {
     "color": "core",
     "plot": "core color",
     "image": "core color",
+    "measure": "core color image",
     "frame": "core color image",
     "device": "core color frame",  # a display contains a FrameLayout
     "lut": "core color device image",

@@ -151,6 +151,7 @@ OpenedPicture open_with_oiio(InputFilePtr file, const std::string& format,
   layout.source = choose_channels(picture, options.layer);
   layout.alpha = picture.straight ? AlphaKind::kStraight : AlphaKind::kPremultiplied;
   layout.curve = curve_of(picture, facts.colour);
+  if (options.codes && is_integer(picture.type)) layout.curve = kNoCurve;
 
   PictureInfo& info = facts.info;
   info.name = file->name();

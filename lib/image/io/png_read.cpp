@@ -140,7 +140,7 @@ OpenedPicture open_png(InputFilePtr file, const ReadOptions& options) {
   SampleLayout layout{.type = png->depth() == 16 ? SampleType::kUint16 : SampleType::kUint8,
                       .samples = png->samples(),
                       .alpha = AlphaKind::kStraight,
-                      .curve = png->colour().curve};
+                      .curve = options.codes ? kNoCurve : png->colour().curve};
   const std::optional<std::array<int, 4>> source = choose_samples(*png, options.layer);
   if (source) layout.source = *source;
   OpenedPicture opened;

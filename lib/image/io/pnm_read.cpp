@@ -105,14 +105,15 @@ class PnmRows final : public RowSource {
   int next_ = 0;
 };
 
-SampleLayout layout_of(const PnmHeader& header) {
+SampleLayout layout_of(const PnmHeader& header, bool codes) {
   SampleLayout layout{.samples = header.samples};
   if (header.format == "pfm") {
     layout.type = SampleType::kFloat;
-    layout.curve = {Curve::Kind::kLinear};
+    layout.curve = kNoCurve;
   } else {
     layout.type = header.maximum > 255 ? SampleType::kUint16 : SampleType::kUint8;
     layout.maximum = static_cast<int>(header.maximum);
+    if (codes) layout.curve = kNoCurve;
   }
   const int alpha = header.alpha ? header.samples - 1 : -1;
   layout.source = header.samples < 3 ? std::array{0, 0, 0, alpha} : std::array{0, 1, 2, alpha};
@@ -124,7 +125,7 @@ SampleLayout layout_of(const PnmHeader& header) {
 OpenedPicture open_pnm(InputFilePtr file, const ReadOptions& options) {
   PnmHeader header = read_pnm_header(*file);
   check_picture_size(file->name(), header.width, header.height);
-  const SampleLayout layout = layout_of(header);
+  const SampleLayout layout = layout_of(header, options.codes);
   OpenedPicture opened;
   PictureFacts& facts = opened.facts;
   facts.format = header.format;

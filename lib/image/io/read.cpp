@@ -20,12 +20,13 @@ using namespace std::string_view_literals;
 struct Signature {
   std::size_t position;
   std::string_view bytes;
-  std::string_view format;  // OpenImageIO's name, but for the three that are read here
+  std::string_view format;  // OpenImageIO's name, but for the four that are read here
 };
 
 constexpr Signature kSignatures[] = {
     {0, "\x76\x2f\x31\x01"sv, "openexr"},
     {0, "\x89PNG\r\n\x1a\n"sv, "png"},
+    {0, "\x93NUMPY"sv, "npy"},
     {0, "#?RADIANCE"sv, "hdr"},
     {0, "#?RGBE"sv, "hdr"},
     {0, "II*\0"sv, "tiff"},
@@ -81,6 +82,7 @@ OpenedPicture open_any(const std::string& path, const ReadOptions& options) {
   if (format == "openexr") return open_exr(file, options);
   if (format == "png") return open_png(file, options);
   if (format == "pnm") return open_pnm(file, options);
+  if (format == "npy") return open_npy(file, options);
   return open_with_oiio(file, format, options);
 }
 

@@ -23,6 +23,7 @@ using InputFilePtr = std::shared_ptr<const InputFile>;
 OpenedPicture open_exr(InputFilePtr file, const ReadOptions& options);
 OpenedPicture open_png(InputFilePtr file, const ReadOptions& options);
 OpenedPicture open_pnm(InputFilePtr file, const ReadOptions& options);
+OpenedPicture open_npy(InputFilePtr file, const ReadOptions& options);
 /// `format` is OpenImageIO's name of it.
 OpenedPicture open_with_oiio(InputFilePtr file, const std::string& format,
                              const ReadOptions& options);

@@ -24,6 +24,8 @@ struct Curve {
   double gamma = 1;  // light = sample^gamma, of kGamma
 };
 
+inline constexpr Curve kNoCurve{Curve::Kind::kLinear};
+
 /// Light of an encoded sample, odd below 0. BT.709 by the inverse of its camera curve [BT709 1.2].
 double decode(const Curve& curve, double sample) noexcept;
 

@@ -15,9 +15,12 @@ struct ReadOptions {
   std::string layer = {};
   /// Threads that decode at once; 0: one for each processor. The rows are the same for any number.
   int threads = 0;
+  /// Integer samples as they are stored, the highest code being 1, whatever curve the file names.
+  bool codes = false;
 };
 
-/// Opens a picture for reading in strips: EXR, PNG, the PNM family with PFM, and through
+/// Opens a picture for reading in strips: EXR, PNG, the PNM family with PFM, NumPy arrays of
+/// light, and through
 /// OpenImageIO (loaded at the first file that needs it) HDR, TIFF, JPEG, BMP and the like. What a
 /// file is, its first bytes say, not its name. "-" is standard input.
 ///
