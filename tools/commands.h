@@ -28,6 +28,8 @@ inline constexpr Command kCommands[] = {
     {"compare", "REF OUT | COLOR COLOR... [options]",
      "how good a picture is beside another one, how different colours are", run_compare},
     {"palette", "check FILE|COLORS... [options]", "check a palette by the guidelines for colour",
+    {"compare", "COLOR COLOR... [options]", "how different colours are", run_compare},
+    {"palette", "show|convert|check ... [options]", "show, convert and check palettes",
      run_palette},
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
     {"device", "list|show|check [D...] [options]", "list, show and check devices", run_device},

@@ -9,6 +9,7 @@
 #include "tristim/image/flatten.h"
 #include "tristim/image/io/read.h"
 #include "tristim/palette/nearest.h"
+#include "tristim/palette/palette.h"
 #include "tristim/palette/quantize.h"
 
 namespace tristim::tools {
@@ -33,15 +34,7 @@ Rgb light_of(Color8 c) {
   return {srgb_decode(c.r / 255.0), srgb_decode(c.g / 255.0), srgb_decode(c.b / 255.0)};
 }
 
-std::string hex_name(Color8 c) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string name = "#";
-  for (const std::uint8_t code : {c.r, c.g, c.b}) {
-    name += kDigits[code >> 4];
-    name += kDigits[code & 15];
-  }
-  return name;
-}
+std::string hex_name(Color8 c) { return hex_text({c.r / 255.0, c.g / 255.0, c.b / 255.0}); }
 
 struct Pixels {
   int width = 0, height = 0;
@@ -93,6 +86,12 @@ std::vector<Color8> palette_of(const Histogram& histogram,
 ChartColor chart_color(EncodedRgb color) {
   const Rgb light{srgb_decode(color.r), srgb_decode(color.g), srgb_decode(color.b)};
   return {hex_name({code_of(light.r), code_of(light.g), code_of(light.b)}), light};
+}
+
+Histogram picture_histogram(const std::string& path) {
+  Histogram histogram;
+  for (const Color8 c : read_pixels(path).colors) histogram.add(c);
+  return histogram;
 }
 
 Chart picture_chart(const std::string& path) {

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "lib/color/toml_color.h"
 #include "lib/core/toml.h"
 #include "lib/device/embedded.h"
-#include "tristim/color/lab.h"
-#include "tristim/color/transfer.h"
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
 #include "tristim/core/find.h"
@@ -16,6 +15,9 @@
 namespace tristim {
 namespace {
 
+using detail::read_appearance;
+using detail::read_chromaticity;
+using detail::read_white_point;
 using detail::TomlTable;
 
 // A member of `list` named by the string at `key`; `fallback` where the key is absent.
@@ -36,21 +38,6 @@ double number_in(const TomlTable& table, std::string_view key, double fallback, 
 }
 
 constexpr double kTiny = 1e-12;  // open ends of ranges
-
-Chromaticity chromaticity(const TomlTable& table, std::string_view key) {
-  const auto xy = table.numbers(key);
-  if (!xy) table.fail(key, std::string(key) + " is missing", "give it as [x, y]");
-  if (xy->size() != 2 || !((*xy)[1] != 0)) {
-    table.fail(key, std::string(key) + " is no chromaticity", "give [x, y] with y other than 0");
-  }
-  return {(*xy)[0], (*xy)[1]};
-}
-
-// A white: a name of kWhitePoints, or [x, y].
-Chromaticity white_point(const TomlTable& table, std::string_view key) {
-  if (table.is_array(key)) return chromaticity(table, key);
-  return choice(table, key, kWhitePoints, kWhitePoints[0]).chromaticity;
-}
 
 FrameLayout read_frame(const TomlTable& root) {
   FrameLayout layout;
@@ -90,9 +77,9 @@ Primaries read_primaries(const TomlTable& root) {
     }
     primaries = found->primaries;
   } else {
-    primaries.red = chromaticity(*table, "red");
-    primaries.green = chromaticity(*table, "green");
-    primaries.blue = chromaticity(*table, "blue");
+    primaries.red = read_chromaticity(*table, "red");
+    primaries.green = read_chromaticity(*table, "green");
+    primaries.blue = read_chromaticity(*table, "blue");
   }
   const auto luminance = table->numbers("luminance");
   if (luminance && table->has("white")) {
@@ -104,7 +91,7 @@ Primaries read_primaries(const TomlTable& root) {
       primaries.white =
           white_from_luminances(primaries, (*luminance)[0], (*luminance)[1], (*luminance)[2]);
     } else if (table->has("white")) {
-      primaries.white = white_point(*table, "white");
+      primaries.white = read_white_point(*table, "white");
     }
     (void)xyz_from_rgb(primaries);
   } catch (const std::invalid_argument& bad) {
@@ -238,51 +225,6 @@ std::optional<Dots> read_dots(const TomlTable& root) {
   return dots;
 }
 
-Xyz rgb_appearance(const TomlTable& table, const std::vector<double>& rgb) {
-  const bool bytes = table.all_integers("rgb");
-  const double scale = bytes ? 255 : 1;
-  for (const double c : rgb) {
-    if (c < 0 || c > scale) {
-      table.fail("rgb", "rgb is out of range",
-                 "give encoded sRGB as integers 0..255 or as numbers 0.0..1.0");
-    }
-  }
-  const Eigen::Vector3d light(srgb_decode(rgb[0] / scale), srgb_decode(rgb[1] / scale),
-                              srgb_decode(rgb[2] / scale));
-  const Eigen::Vector3d xyz = xyz_from_rgb(Primaries{}) * light;
-  return {xyz.x(), xyz.y(), xyz.z()};
-}
-
-// Exactly one of the keys lab, xyz, rgb says what an entry looks like.
-Xyz read_appearance(const TomlTable& table, std::optional<Chromaticity> viewing_white,
-                    Adaptation adaptation) {
-  const auto lab = table.numbers("lab");
-  const auto xyz = table.numbers("xyz");
-  const auto rgb = table.numbers("rgb");
-  if (int(lab.has_value()) + int(xyz.has_value()) + int(rgb.has_value()) != 1) {
-    table.fail("", "a palette entry must say once what it looks like",
-               "give one of lab, xyz and rgb");
-  }
-  const auto& values = lab ? *lab : xyz ? *xyz : *rgb;
-  const std::string_view key = lab ? "lab" : xyz ? "xyz" : "rgb";
-  if (values.size() != 3) table.fail(key, std::string(key) + " must have three numbers");
-  if (rgb) {
-    const Xyz d65 = rgb_appearance(table, values);
-    const Eigen::Vector3d seen = adaptation_matrix(kD65, viewing_white.value_or(kD65), adaptation) *
-                                 Eigen::Vector3d(d65.x, d65.y, d65.z);
-    return {seen.x(), seen.y(), seen.z()};
-  }
-  if (xyz) {
-    if (*std::min_element(xyz->begin(), xyz->end()) < 0) table.fail("xyz", "xyz is negative");
-    return {values[0], values[1], values[2]};
-  }
-  if (!viewing_white) {
-    table.fail("lab", "lab needs the white that it was measured under",
-               "add [viewing] white = \"D50\"");
-  }
-  return lab_to_xyz({values[0], values[1], values[2]}, white_xyz(*viewing_white));
-}
-
 std::uint16_t read_code(const TomlTable& table, std::size_t position, int code_max) {
   const auto code = table.integer("code").value_or(static_cast<std::int64_t>(position));
   if (code < 0 || code > code_max) {
@@ -312,7 +254,7 @@ void check_palette(const TomlTable& root, const std::vector<CodeColor>& palette)
 void read_palette(const TomlTable& root, Display& display) {
   std::optional<Chromaticity> viewing_white;
   if (const auto viewing = root.table("viewing")) {
-    if (viewing->has("white")) viewing_white = white_point(*viewing, "white");
+    if (viewing->has("white")) viewing_white = read_white_point(*viewing, "white");
     display.adaptation = choice(*viewing, "adapt", kAdaptations, kAdaptations[0]).method;
     viewing->finish();
   }

@@ -90,7 +90,7 @@ class BmpSink final : public FileSink {
     put(head, shape_.table.entries.size(), 4);
     put(head, 0, 4);
     for (const PaletteEntry& entry : shape_.table.entries) {
-      for (const std::size_t c : {2, 1, 0}) head.push_back(entry.srgb[c]);
+      for (std::size_t c = 3; c-- > 0;) head.push_back(entry.srgb[c]);
       head.push_back(0);
     }
     file().write(std::as_bytes(std::span(head)));

@@ -118,13 +118,22 @@ InputFile::InputFile(const std::string& path) : name_(path == "-" ? "standard in
   size_ = static_cast<std::uint64_t>(facts.st_size);
 }
 
-InputFile::~InputFile() { ::close(descriptor_); }
+InputFile::InputFile(std::string name, std::string_view bytes)
+    : name_(std::move(name)), memory_(bytes), size_(bytes.size()) {}
+
+InputFile::~InputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
 
 std::string InputFile::reopen_path() const {
   return path_.empty() ? "/dev/fd/" + std::to_string(descriptor_) : path_;
 }
 
 std::size_t InputFile::read_at(std::uint64_t position, std::span<std::byte> bytes) const {
+  if (descriptor_ < 0) {
+    if (position >= memory_.size()) return 0;
+    return memory_.copy(reinterpret_cast<char*>(bytes.data()), bytes.size(), position);
+  }
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t count = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
