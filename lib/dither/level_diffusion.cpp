@@ -1,23 +1,12 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
+#include "lib/dither/half_way.h"
 #include "lib/dither/position_noise.h"
 #include "lib/dither/settle.h"
 #include "tristim/dither/levels.h"
 
 namespace tristim {
 namespace {
-
-// The points above which the upper of two levels is nearer in light.
-std::vector<float> half_way(const std::vector<float>& light) {
-  std::vector<float> points;
-  for (std::size_t i = 1; i < light.size(); ++i) {
-    const auto middle = static_cast<float>((double{light[i - 1]} + double{light[i]}) / 2);
-    points.push_back(std::nextafter(middle, std::numeric_limits<float>::infinity()));
-  }
-  return points;
-}
 
 // Where a light lies between two levels.
 struct Bracket {
@@ -44,7 +33,7 @@ bool reversed(const DiffusionOptions& options, int y) noexcept {
 
 LevelDiffusion::LevelDiffusion(const MixLevels& levels, int width, const DiffusionOptions& options)
     : levels_(levels),
-      search_(half_way(levels.light)),
+      search_(detail::half_way_points(levels.light)),
       lower_(levels.light),
       options_(options),
       seed_(detail::noise_seed(options.seed)),

@@ -42,7 +42,8 @@ double share_of(const Codes& codes, std::uint16_t code) {
 }
 
 TEST(DitherMethods, AreNoneAllMatricesAndAllKernels) {
-  EXPECT_EQ(dither_methods().size(), 1 + kMatrixRecipes.size() + kDiffusionKernels.size());
+  EXPECT_EQ(dither_methods().size(),
+            1 + kMatrixRecipes.size() + kDiffusionKernels.size() + kWholePictureDithers.size());
   EXPECT_EQ(dither_methods()[0].name, "none");
   for (const MatrixRecipe& m : kMatrixRecipes) EXPECT_TRUE(find_by_name(dither_methods(), m.name));
 }
@@ -68,6 +69,9 @@ TEST(Reducer, LightsAsManyDotsAsThereIsLight) {
         display.palette = {{0, {}, ""}, {1, white, ""}};
       }
       for (const NamedDither& dither : dither_methods()) {
+        if (display.frame.packing.indexed &&
+            std::holds_alternative<WholePictureDither>(dither.method))
+          continue;
         const auto* matrix = std::get_if<MatrixRecipe>(&dither.method);
         const auto* kernel = std::get_if<DiffusionKernel>(&dither.method);
         if (kernel != nullptr && passed_on(*kernel) < 1) continue;
@@ -123,11 +127,20 @@ TEST(Reducer, WeighsGreysByTheLuminanceOfThePrimaries) {
   EXPECT_EQ(pixel(display, {}, 1, 1, 1)[0], 65535);
 }
 
+TEST(Reducer, RefusesWholePictureMethodsForPalettes) {
+  for (const WholePictureDither& dither : kWholePictureDithers) {
+    EXPECT_THROW(Reducer(load_display("vga16"), {.dither = dither}, 8), std::invalid_argument);
+  }
+}
+
 TEST(Reducer, MapsBlackAndWhiteToTheEndsOfEveryDevice) {
   for (const BuiltInDisplay& built_in : built_in_displays()) {
     const Display display = load_display(std::string(built_in.name));
     const Decoder decoder(display);
     for (const NamedDither& dither : dither_methods()) {
+      if (display.frame.packing.indexed &&
+          std::holds_alternative<WholePictureDither>(dither.method))
+        continue;
       SCOPED_TRACE(testing::Message() << built_in.name << " " << dither.name);
       const Codes white = pixel(display, {.dither = dither.method}, 1, 1, 1);
       const Codes black = pixel(display, {.dither = dither.method}, 0, 0, 0);
