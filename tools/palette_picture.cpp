@@ -6,6 +6,7 @@
 
 #include "tristim/color/primaries.h"
 #include "tristim/color/transfer.h"
+#include "tristim/core/find.h"
 #include "tristim/image/flatten.h"
 #include "tristim/image/io/read.h"
 #include "tristim/palette/nearest.h"
@@ -75,7 +76,9 @@ std::map<Color8, std::size_t> places_of(const std::vector<Histogram::Entry>& ent
 
 std::vector<Color8> palette_of(const Histogram& histogram,
                                const std::vector<Histogram::Entry>& entries) {
-  if (entries.size() > kMostColors) return median_cut(histogram, kMedianCutColors);
+  if (entries.size() > kMostColors)
+    return build_palette(histogram, *find_by_name(kPaletteMethods, "median-cut"),
+                         {.colors = kMedianCutColors});
   std::vector<Color8> palette;
   for (const Histogram::Entry& entry : entries) palette.push_back(entry.color);
   return palette;

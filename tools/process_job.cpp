@@ -44,8 +44,8 @@ std::optional<PaletteChoice> palette_to_choose(const Display& display, const Set
   if (settings.palette.method != nullptr) return settings.palette;
   const bool has_codes = !display.palette.empty() || !display.frame.packing.indexed;
   if (has_codes) return std::nullopt;
-  constexpr const PaletteMethod& kUsual = kPaletteMethods[1];
-  static_assert(kUsual.name == "median-cut");
+  constexpr const PaletteMethod& kUsual = kPaletteMethods[0];
+  static_assert(kUsual.name == "best");
   return PaletteChoice{&kUsual, 0};
 }
 
@@ -53,7 +53,8 @@ Display with_chosen_palette(const Display& display, const PaletteChoice& choice,
                             const ProcessOptions& options, const std::string& input) {
   const int colors = palette_colors(display, choice);
   if (!choice.method->needs_histogram) {
-    return with_palette(display, choice.method->choose({}, colors));
+    return with_palette(display,
+                        build_palette({}, *choice.method, {.colors = colors, .bits = choice.bits}));
   }
   make_rereadable(input);
   const auto picture =
@@ -61,7 +62,7 @@ Display with_chosen_palette(const Display& display, const PaletteChoice& choice,
               display, options.settings, nullptr);
   const StageList stages = stage_list(picture->info(), display, options.settings);
   const Histogram counted = histogram(*picture, stages, display, {.threads = options.threads});
-  return with_palette(display, choice.method->choose(counted, colors));
+  return with_palette(display, build_palette(counted, *choice.method, {.colors = colors}));
 }
 
 // The strength of the dither, turned and fitted as the picture is; null where none was asked for.

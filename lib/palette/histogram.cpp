@@ -1,53 +1,183 @@
 #include "tristim/palette/histogram.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace tristim {
 namespace {
 
-std::uint32_t key_of(Color8 c) {
-  return std::uint32_t{c.r} << 16 | std::uint32_t{c.g} << 8 | std::uint32_t{c.b};
+constexpr std::size_t kSlab = 512;            // blocks
+constexpr std::uint32_t kCells = 1U << 18;    // 64 x 64 x 64
+constexpr std::uint64_t kCarry = 1ULL << 32;  // what a count loses when it overflows
+
+constexpr std::uint32_t cell_of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+  return r >> 2 << 12 | g >> 2 << 6 | b >> 2;
+}
+constexpr std::uint32_t place_in_cell(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+  return (r & 3) << 4 | (g & 3) << 2 | (b & 3);
+}
+constexpr std::uint32_t key_of(Color8 c) {
+  return std::uint32_t{c.r} << 24 | std::uint32_t{c.g} << 16 | std::uint32_t{c.b} << 8 | c.a;
+}
+constexpr Color8 color_of(std::uint32_t key) {
+  return {static_cast<std::uint8_t>(key >> 24), static_cast<std::uint8_t>(key >> 16 & 255),
+          static_cast<std::uint8_t>(key >> 8 & 255), static_cast<std::uint8_t>(key & 255)};
 }
 
-Color8 color_of(std::uint32_t key) {
-  return {static_cast<std::uint8_t>(key >> 16), static_cast<std::uint8_t>(key >> 8 & 0xff),
-          static_cast<std::uint8_t>(key & 0xff)};
+// Sorted, with one entry for each colour.
+std::vector<Histogram::Entry> gathered(std::vector<Histogram::Entry> entries) {
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const auto& a, const auto& b) { return a.color < b.color; });
+  std::size_t kept = 0;
+  for (const Histogram::Entry& entry : entries) {
+    if (kept > 0 && entries[kept - 1].color == entry.color) {
+      entries[kept - 1].count += entry.count;
+    } else {
+      entries[kept++] = entry;
+    }
+  }
+  entries.resize(kept);
+  return entries;
+}
+
+void check_channels(int channels) {
+  if (channels == 3 || channels == 4) return;
+  throw std::invalid_argument("histogram: " + std::to_string(channels) +
+                              " channels, expected 3 or 4");
 }
 
 }  // namespace
 
-void Histogram::add(Color8 color, std::uint64_t count) { counts_[key_of(color)] += count; }
+Histogram::Block& Histogram::block(std::uint32_t cell) {
+  if (directory_.empty()) directory_.resize(kCells);
+  std::uint32_t& number = directory_[cell];
+  if (number == 0) {
+    if (blocks_.empty() || blocks_.back().size() == kSlab) blocks_.emplace_back().reserve(kSlab);
+    blocks_.back().emplace_back();
+    number = static_cast<std::uint32_t>((blocks_.size() - 1) * kSlab + blocks_.back().size());
+  }
+  return blocks_[(number - 1) / kSlab][(number - 1) % kSlab];
+}
 
-void Histogram::add(ImageView<const std::uint16_t> codes) {
+void Histogram::add(Color8 color, std::uint64_t count) {
+  if (count == 0) return;
+  if (color.a != 255) {
+    translucent_[key_of(color)] += count;
+    return;
+  }
+  std::uint32_t& low =
+      block(cell_of(color.r, color.g, color.b))[place_in_cell(color.r, color.g, color.b)];
+  const std::uint64_t sum = low + count % kCarry;
+  low = static_cast<std::uint32_t>(sum);
+  const std::uint64_t carried = count / kCarry + sum / kCarry;
+  if (carried > 0) carry_[key_of(color)] += carried * kCarry;
+}
+
+template <typename T, typename Weights>
+void Histogram::add_rows(ImageView<const T> codes, Weights&& weight) {
+  check_channels(codes.channels);
   for (int y = 0; y < codes.height; ++y) {
-    const std::uint16_t* pixel = codes.row(y).data();
-    std::uint32_t run_key = 0;
-    std::uint64_t run = 0;  // runs of one colour are looked up once
-    for (int x = 0; x < codes.width; ++x, pixel += 3) {
-      const std::uint32_t key =
-          std::uint32_t{pixel[0]} << 16 | std::uint32_t{pixel[1]} << 8 | std::uint32_t{pixel[2]};
-      if (key != run_key && run > 0) {
-        counts_[run_key] += run;
-        run = 0;
+    std::uint32_t cell = kCells;  // none
+    Block* counts = nullptr;
+    const T* pixel = codes.row(y).data();
+    for (int x = 0; x < codes.width; ++x, pixel += codes.channels) {
+      const std::uint32_t w = weight(x, y);
+      const std::uint32_t r = pixel[0] & 255U;
+      const std::uint32_t g = pixel[1] & 255U;
+      const std::uint32_t b = pixel[2] & 255U;
+      if (w == 0) continue;
+      if (codes.channels == 4 && pixel[3] != 255) {
+        add(Color8{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                   static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(pixel[3])},
+            w);
+        continue;
       }
-      run_key = key;
-      ++run;
+      if (const std::uint32_t here = cell_of(r, g, b); here != cell) {
+        cell = here;
+        counts = &block(cell);
+      }
+      std::uint32_t& count = (*counts)[place_in_cell(r, g, b)];
+      count += w;
+      if (count < w) carry_[r << 24 | g << 16 | b << 8 | 255] += kCarry;
     }
-    if (run > 0) counts_[run_key] += run;
   }
 }
 
+void Histogram::add(ImageView<const std::uint16_t> codes) {
+  add_rows(codes, [](int, int) { return 1U; });
+}
+
+void Histogram::add(ImageView<const std::uint8_t> codes) {
+  add_rows(codes, [](int, int) { return 1U; });
+}
+
+void Histogram::add(ImageView<const std::uint16_t> codes, ImageView<const std::uint16_t> weights) {
+  if (weights.width != codes.width || weights.height != codes.height || weights.channels != 1) {
+    throw std::invalid_argument("histogram: weights differ in size from the codes");
+  }
+  add_rows(codes, [weights](int x, int y) { return std::uint32_t{*weights.pixel(x, y)}; });
+}
+
 void Histogram::merge(const Histogram& other) {
-  for (const auto& [key, count] : other.counts_) counts_[key] += count;
+  for (const Entry& entry : other.entries()) add(entry.color, entry.count);
+}
+
+std::vector<std::pair<std::uint32_t, const Histogram::Block*>> Histogram::row_of_blocks(
+    std::uint32_t r, std::uint32_t g) const {
+  std::vector<std::pair<std::uint32_t, const Block*>> used;
+  for (std::uint32_t b = 0; b < 256; b += 4) {
+    const std::uint32_t number = directory_[cell_of(r, g, b)];
+    if (number != 0) used.emplace_back(b, &blocks_[(number - 1) / kSlab][(number - 1) % kSlab]);
+  }
+  return used;
 }
 
 std::vector<Histogram::Entry> Histogram::entries() const {
   std::vector<Entry> all;
-  all.reserve(counts_.size());
-  for (const auto& [key, count] : counts_) all.push_back({color_of(key), count});
-  std::sort(all.begin(), all.end(),
-            [](const Entry& a, const Entry& b) { return a.color < b.color; });
-  return all;
+  std::size_t most = translucent_.size();
+  for (const auto& slab : blocks_) {
+    for (const Block& block : slab) {
+      most += static_cast<std::size_t>(
+          std::count_if(block.begin(), block.end(), [](std::uint32_t n) { return n != 0; }));
+    }
+  }
+  all.reserve(most);
+  // Of a row of cells, which is looked for once in 4 rows of colours, most are empty.
+  std::vector<std::pair<std::uint32_t, const Block*>> used;  // 4 blues from here on
+  for (std::uint32_t row = 0; row < 1U << 16 && !directory_.empty(); ++row) {
+    const std::uint32_t r = row >> 8;
+    const std::uint32_t g = row & 255;
+    if (g % 4 == 0) used = row_of_blocks(r, g);
+    for (const auto& [b0, block] : used) {
+      for (std::uint32_t b = b0; b < b0 + 4; ++b) {
+        const std::uint32_t n = (*block)[place_in_cell(r, g, b)];
+        if (n != 0) all.push_back({color_of(r << 24 | g << 16 | b << 8 | 255), n});
+      }
+    }
+  }
+  if (carry_.empty() && translucent_.empty()) return all;
+  for (const auto* rest : {&carry_, &translucent_}) {
+    for (const auto& [key, n] : *rest) all.push_back({color_of(key), n});
+  }
+  return gathered(std::move(all));
+}
+
+Histogram with_alpha(const Histogram& histogram, AlphaMode mode) {
+  const auto over_black = [](std::uint8_t code, std::uint8_t alpha) {
+    return static_cast<std::uint8_t>((code * alpha * 2 + 255) / 510);
+  };
+  Histogram result;
+  for (const auto& [c, count] : histogram.entries()) {
+    if (mode == AlphaMode::kOver) {
+      result.add(Color8{over_black(c.r, c.a), over_black(c.g, c.a), over_black(c.b, c.a)}, count);
+    } else if (mode == AlphaMode::kThreshold) {
+      if (c.a >= 128) result.add(Color8{c.r, c.g, c.b}, count);
+    } else {
+      result.add(c.a == 0 ? Color8{0, 0, 0, 0} : c, count);
+    }
+  }
+  return result;
 }
 
 }  // namespace tristim

@@ -15,6 +15,8 @@ namespace {
 // S-CIELAB difference from the original (18.6).
 constexpr double kToe = 0.3;
 
+constexpr double kSmallToe = 0.0005;
+
 std::array<float, 3> floats(double a, double b, double c) noexcept {
   return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)};
 }
@@ -58,6 +60,14 @@ std::array<float, 3> encoded_place(Rgb linear_srgb) noexcept {
   const detail::CurveTable& encode = detail::srgb_encode_table();
   return {encode(static_cast<float>(linear_srgb.r)), encode(static_cast<float>(linear_srgb.g)),
           encode(static_cast<float>(linear_srgb.b))};
+}
+
+std::array<float, 3> balanced_place(Rgb linear_srgb) noexcept {
+  const auto [r, g, b] = encoded_place(linear_srgb);
+  const Oklab ok = linear_srgb_to_oklab_with_toe(linear_srgb, kSmallToe);
+  return floats(1.2 * ok.l + 0.4 * (0.5183 * r + 0.7457 * g + 0.4186 * b),
+                2 * ok.a + 0.4 * (0.8214 * r - 0.5703 * g),
+                2 * ok.b + 0.4 * (0.2379 * r + 0.3444 * g - 0.9082 * b));
 }
 
 }  // namespace tristim

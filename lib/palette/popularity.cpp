@@ -4,15 +4,16 @@
 
 namespace tristim {
 
-std::vector<Color8> popularity(const Histogram& histogram, int colors) {
-  std::vector<Histogram::Entry> entries = histogram.entries();
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const auto& a, const auto& b) { return a.count > b.count; });
+std::vector<Color8> choose_popularity(const PaletteTask& task) {
+  std::vector<Histogram::Entry> entries(task.entries.begin(), task.entries.end());
+  const auto before = [](const Histogram::Entry& a, const Histogram::Entry& b) {
+    return a.count != b.count ? a.count > b.count : a.color < b.color;
+  };
+  const auto end = entries.begin() + std::min<std::ptrdiff_t>(task.colors, std::ssize(entries));
+  std::nth_element(entries.begin(), end, entries.end(), before);
+  std::sort(entries.begin(), end, before);
   std::vector<Color8> palette;
-  for (const auto& entry : entries) {
-    if (palette.size() == static_cast<std::size_t>(std::max(colors, 0))) break;
-    palette.push_back(entry.color);
-  }
+  for (auto entry = entries.begin(); entry != end; ++entry) palette.push_back(entry->color);
   return palette;
 }
 

@@ -109,8 +109,8 @@ int palette_colors(const Display& display, const PaletteChoice& choice) {
                 "choose a device with an indexed packing, or leave --palette out");
   }
   const int most = 1 << packing.bits[0];
-  const bool fixed = choice.method != nullptr && !choice.method->needs_histogram;
-  const int wanted = fixed ? 256 : choice.colors;
+  const int always = choice.method != nullptr ? choice.method->always : 0;
+  const int wanted = always > 0 ? always : choice.colors;
   if (wanted > most) {
     throw Error(ErrorKind::kMisuse, "--palette",
                 std::to_string(wanted) + " colours do not fit packing " + std::string(packing.name),

@@ -138,7 +138,19 @@ constexpr std::int64_t kMostMaskSize = 1024;
 constexpr std::int64_t kMostSeed = 1'000'000'000'000'000;
 constexpr std::int64_t kMostEffort = 1000;
 
-constexpr int kMostColors = 65536;
+// The method of "fixed-565" and the like, with so many bits a channel; nothing for other names.
+std::optional<std::array<int, 3>> fixed_bits(std::string_view name) {
+  constexpr std::string_view kFixed = "fixed-";
+  if (name.size() != kFixed.size() + 3 || !name.starts_with(kFixed)) return std::nullopt;
+  std::array<int, 3> bits{};
+  int sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    bits[c] = name[kFixed.size() + c] - '0';
+    if (bits[c] < 0 || bits[c] > 8) return std::nullopt;
+    sum += bits[c];
+  }
+  return sum >= 1 && sum <= 16 ? std::optional(bits) : std::nullopt;
+}
 
 Result set_palette(Settings& settings, std::string_view value) {
   if (same_name(value, "device")) {
@@ -146,17 +158,19 @@ Result set_palette(Settings& settings, std::string_view value) {
     return {};
   }
   const std::vector<std::string_view> parts = split(value, ':');
-  const PaletteMethod* method = find_by_name(kPaletteMethods, parts[0]);
+  const auto bits = fixed_bits(parts[0]);
+  const PaletteMethod* method = find_by_name(kPaletteMethods, bits ? "fixed" : parts[0]);
   if (method == nullptr) return unknown("palette", kPaletteMethods, parts[0]);
   int colors = 0;
   if (parts.size() > 1) {
     const auto number = parse_integer(parts[1]);
-    if (parts.size() > 2 || !number || *number < 2 || *number > kMostColors) {
-      return not_a("palette", value, "give the number of colours, 2 or more, as in median-cut:16");
+    if (parts.size() > 2 || !number || *number < 1 || *number > kMostColors) {
+      return not_a("palette", value, "give the number of colours, 1 to 65536, as in best:16");
     }
     colors = static_cast<int>(*number);
   }
-  settings.palette = {method, colors};
+  if (bits && colors == 0) colors = 1 << ((*bits)[0] + (*bits)[1] + (*bits)[2]);
+  settings.palette = {method, colors, bits.value_or(std::array{0, 0, 0})};
   return {};
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 // [Shoaff 2.2.10]
 TEST(Fixed332, HasRedInTheTopBitsAndBlueInTheLowest) {
-  const std::vector<Color8> palette = fixed_332({}, 0);
+  const std::vector<Color8> palette = choose_fixed_332({});
   ASSERT_EQ(palette.size(), 256U);
   EXPECT_EQ(palette[0], (Color8{0, 0, 0}));
   EXPECT_EQ(palette[255], (Color8{255, 255, 255}));
@@ -34,7 +34,8 @@ TEST(Fixed332, HasRedInTheTopBitsAndBlueInTheLowest) {
 TEST(Fixed332, IsReachedByTheNearestLevelOfEachChannel) {
   const auto light = [](int code) { return srgb_decode(code / 255.0); };
   std::vector<Rgb> palette;
-  for (const Color8& c : fixed_332({}, 0)) palette.push_back({light(c.r), light(c.g), light(c.b)});
+  for (const Color8& c : choose_fixed_332({}))
+    palette.push_back({light(c.r), light(c.g), light(c.b)});
   const NearestColor nearest(palette, *find_by_name(kMetrics, "encoded"));
   const std::set<int> half_way{18, 91, 164, 237};  // of 0 36, 73 109, 146 182, 219 255
   for (int v = 0; v <= 255; ++v) {
@@ -43,6 +44,38 @@ TEST(Fixed332, IsReachedByTheNearestLevelOfEachChannel) {
     const int eighth = (v * 7 * 2 + 255) / 510;
     EXPECT_EQ(nearest.find({light(v), 0, 0}), eighth << 5) << v;
     EXPECT_EQ(nearest.find({0, light(v), 0}), eighth << 2) << v;
+  }
+}
+
+TEST(FixedPalette, HasTheBitsThatAreAskedForOrFit) {
+  EXPECT_EQ(choose_fixed({.colors = 256}).size(), 256U);
+  EXPECT_EQ(choose_fixed({.colors = 256}), choose_fixed_332({}));
+  EXPECT_EQ(choose_fixed({.colors = 65536}).size(), 65536U);  // 5, 6, 5
+  EXPECT_EQ(choose_fixed({.colors = 15}).size(), 8U);
+  EXPECT_EQ(choose_fixed({.colors = 1}), (std::vector<Color8>{{0, 0, 0}}));
+  const std::vector<Color8> bits = choose_fixed({.colors = 256, .bits = {1, 0, 2}});
+  EXPECT_EQ(bits, (std::vector<Color8>{{0, 0, 0},
+                                       {0, 0, 85},
+                                       {0, 0, 170},
+                                       {0, 0, 255},
+                                       {255, 0, 0},
+                                       {255, 0, 85},
+                                       {255, 0, 170},
+                                       {255, 0, 255}}));
+}
+
+TEST(UniformPalette, IsACubeAndGreysBetween) {
+  const std::vector<Color8> palette = choose_uniform({.colors = 12});
+  ASSERT_EQ(palette.size(), 12U);
+  EXPECT_EQ(palette[6], (Color8{255, 255, 0}));
+  EXPECT_EQ(palette[8], (Color8{51, 51, 51}));
+  EXPECT_EQ(palette[11], (Color8{204, 204, 204}));
+  EXPECT_EQ(choose_uniform({.colors = 3}),
+            (std::vector<Color8>{{0, 0, 0}, {128, 128, 128}, {255, 255, 255}}));
+  for (int colors = 1; colors < 300; ++colors) {
+    const std::vector<Color8> all = choose_uniform({.colors = colors});
+    EXPECT_LE(std::ssize(all), colors);
+    EXPECT_EQ(std::set<Color8>(all.begin(), all.end()).size(), all.size());
   }
 }
 

@@ -12,6 +12,10 @@ namespace {
 
 using Palette = std::vector<Color8>;
 
+Palette median_cut(const Histogram& histogram, int colors) {
+  return choose_median_cut({.entries = histogram.entries(), .colors = colors});
+}
+
 Histogram any_histogram() {
   Histogram histogram;
   const auto part = [] { return *rc::gen::inRange<std::uint8_t>(0, 255); };
@@ -61,43 +65,6 @@ TEST(MedianCut, ComesInOrderOfLuma) {
   histogram.add(Color8{255, 0, 0});
   EXPECT_EQ(median_cut(histogram, 4),
             (Palette{{0, 0, 255}, {255, 0, 0}, {0, 255, 0}, {255, 255, 255}}));
-}
-
-TEST(MedianCut, OfNothingIsNothing) {
-  EXPECT_TRUE(median_cut(Histogram{}, 8).empty());
-  Histogram one;
-  one.add(Color8{1, 2, 3});
-  EXPECT_TRUE(median_cut(one, 0).empty());
-  EXPECT_TRUE(median_cut(one, -3).empty());
-}
-
-// Of every method, as the list promises.
-RC_GTEST_PROP(PaletteMethods, KeepFewColoursAndNeverReturnMore, ()) {
-  const Histogram histogram = any_histogram();
-  const int colors = *rc::gen::inRange(1, 50);
-  std::set<Color8> used;
-  for (const auto& entry : histogram.entries()) used.insert(entry.color);
-  for (const PaletteMethod& method : kPaletteMethods) {
-    if (!method.needs_histogram) continue;
-    const Palette palette = method.choose(histogram, colors);
-    RC_ASSERT(palette.size() <= static_cast<std::size_t>(colors));
-    if (used.size() <= static_cast<std::size_t>(colors)) {
-      RC_ASSERT(std::set<Color8>(palette.begin(), palette.end()) == used);
-      RC_ASSERT(palette.size() == used.size());
-    }
-  }
-}
-
-// The order in which colours were met must not matter: it depends on bands and threads.
-RC_GTEST_PROP(PaletteMethods, DoNotDependOnTheOrderOfCounting, ()) {
-  const Histogram histogram = any_histogram();
-  auto entries = histogram.entries();
-  std::ranges::reverse(entries);
-  Histogram backwards;
-  for (const auto& entry : entries) backwards.add(entry.color, entry.count);
-  for (const PaletteMethod& method : kPaletteMethods) {
-    RC_ASSERT(method.choose(histogram, 9) == method.choose(backwards, 9));
-  }
 }
 
 RC_GTEST_PROP(MedianCut, StaysInsideTheBoxOfTheColoursUsed, ()) {

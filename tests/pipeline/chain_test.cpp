@@ -135,7 +135,7 @@ TEST(WithPalette, OfAPictureWithFewColoursShowsItUnchanged) {
   for (const PaletteMethod& method : kPaletteMethods) {
     if (!method.needs_histogram) continue;
     SCOPED_TRACE(method.name);
-    const Display chosen = with_palette(display, method.choose(colors, 16));
+    const Display chosen = with_palette(display, build_palette(colors, method, {.colors = 16}));
     ImageSource source(copy());
     Reducer reducer(chosen, reduce_options(chosen, settings({{"dither", "none"}})), 6);
     CodeCollector codes;

@@ -48,8 +48,8 @@ const Example kExamples[] = {
     {"seed", "7", "-1", "'-1' is no seed; give an integer from 0 to 1000000000000000"},
     {"frame", "12", "1.5", "'1.5' is no frame number; give an integer from 0 to 1000000000"},
     {"effort", "3", "1001", "'1001' is no effort; give an integer from 0 to 1000"},
-    {"palette", "\"median-cut:16\"", "\"median-cut:1\"",
-     "'median-cut:1' is no palette; give the number of colours, 2 or more, as in median-cut:16"},
+    {"palette", "\"median-cut:16\"", "\"median-cut:0\"",
+     "'median-cut:0' is no palette; give the number of colours, 1 to 65536, as in best:16"},
     {"metric", "\"lab\"", "\"oklabb\"", "unknown metric 'oklabb'; did you mean oklab?"},
     {"mix", "\"encoded\"", "\"encodd\"", "unknown mix 'encodd'; did you mean encoded?"},
 };

@@ -67,9 +67,9 @@ TEST_F(ProcessOptions, RefusesPalettesThatTheDeviceCannotHold) {
   refuses_value("palette", "median-cut:16",
                 "packing rgb888 has no palette; choose a device with an indexed packing, or leave "
                 "--palette out");
-  refuses_value("palette", "median-cut:1",
-                "'median-cut:1' is no palette; give the number of colours, 2 or more, as in "
-                "median-cut:16");
+  refuses_value("palette", "median-cut:0",
+                "'median-cut:0' is no palette; give the number of colours, 1 to 65536, as in "
+                "best:16");
   refuses("process s.exr -d vga16 --palette median-cut:300 -o o.png", 2,
           "--palette: 300 colours do not fit packing index4; ask for 16 or less");
   refuses("process s.exr -d vga16 --palette fixed-332 -o o.png", 2,

@@ -22,6 +22,8 @@ std::array<float, 3> lab_place(Rgb linear_srgb) noexcept;
 std::array<float, 3> luv_place(Rgb linear_srgb) noexcept;  // clipped below 0
 std::array<float, 3> linear_place(Rgb linear_srgb) noexcept;
 std::array<float, 3> encoded_place(Rgb linear_srgb) noexcept;  // of [0, 1]; clipped beyond
+/// Between what the eye calls equal and equal codes: docs/palettes.md. Of [0, 1]; clipped beyond.
+std::array<float, 3> balanced_place(Rgb linear_srgb) noexcept;
 
 /// Every metric; the first is the default. The command line, the docs and the tests read this list.
 inline constexpr std::array kMetrics{
@@ -30,6 +32,7 @@ inline constexpr std::array kMetrics{
     Metric{"lab", lab_place, "[CIE15 8.2.1]"},
     Metric{"luv", luv_place, "[CIE15 8.2.2]"},
     Metric{"linear", linear_place, "linear sRGB"},
-    Metric{"encoded", encoded_place, "[IEC61966]"}};
+    Metric{"encoded", encoded_place, "[IEC61966]"},
+    Metric{"balanced", balanced_place, "docs/palettes.md"}};
 
 }  // namespace tristim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ namespace tristim {
 struct PaletteChoice {
   const PaletteMethod* method = nullptr;  // nullptr: the device's
   int colors = 0;                         // 0: as many as the packing holds
+  std::array<int, 3> bits{};              // of "fixed"; 0: as many as there are colours for
 };
 
 /// How a picture is processed for a device; the defaults leave it as it is.

@@ -1,0 +1,202 @@
+#include "lib/palette/clusters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tristim::detail {
+namespace {
+
+constexpr std::size_t kCells = std::size_t{1} << 18;
+
+// The cell of a colour; the 64 of a coarse cell are neighbours. Translucent colours go to the cell
+// of their colour: alpha varies little between neighbours.
+std::uint32_t cell_of(Color8 c) {
+  const auto bits = [&](int shift, std::uint32_t mask) {
+    return (c.r >> shift & mask) * (mask + 1) * (mask + 1) + (c.g >> shift & mask) * (mask + 1) +
+           (c.b >> shift & mask);
+  };
+  return bits(4, 15) << 6 | bits(2, 3);
+}
+
+float distance2(const Place& a, const Place& b) {
+  float sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+// The places in [first, end) as a group; their weight.
+PlaceGroup group_of(const Places& places, std::uint32_t first, std::uint32_t end, double& weight) {
+  std::array<double, 4> sum{};
+  weight = 0;
+  for (std::size_t i = first; i < end; ++i) {
+    const double w = places.weight[i];
+    weight += w;
+    for (std::size_t a = 0; a < 4; ++a) sum[a] += w * places.axis[a][i];
+  }
+  PlaceGroup group{first, end, {}, 0};
+  for (std::size_t a = 0; a < 4; ++a) group.mean[a] = static_cast<float>(sum[a] / weight);
+  float farthest2 = 0;
+  for (std::size_t i = first; i < end; ++i) {
+    farthest2 = std::max(farthest2, distance2(places.at(i), group.mean));
+  }
+  group.radius = std::sqrt(farthest2);
+  return group;
+}
+
+// Groups of `below`, those with equal keys together.
+template <typename Key>
+std::vector<PlaceGroup> groups_by(const Places& means, std::span<const PlaceGroup> below,
+                                  Key&& key) {
+  std::vector<PlaceGroup> groups;
+  for (std::uint32_t i = 0; i < means.size();) {
+    std::uint32_t end = i + 1;
+    while (end < means.size() && key(end) == key(i)) ++end;
+    double weight = 0;
+    groups.push_back(group_of(means, i, end, weight));
+    for (std::uint32_t g = i; g < end && !below.empty(); ++g) {
+      groups.back().radius =
+          std::max(groups.back().radius,
+                   std::sqrt(distance2(below[g].mean, groups.back().mean)) + below[g].radius);
+    }
+    i = end;
+  }
+  return groups;
+}
+
+// Walks down the groups with the entries that can be nearest to one of their places.
+class GroupSearch {
+ public:
+  GroupSearch(const GroupedPlaces& places, int axes, Nearest& result)
+      : places_(places), axes_(axes), result_(result), search_(place_search()) {}
+
+  struct Entries {
+    Places places;
+    std::vector<std::uint32_t> number;
+  };
+
+  void run(const Entries& all) {
+    for (const PlaceGroup& group : places_.levels.front()) descend(group, 0, all);
+  }
+
+ private:
+  // An entry that is nearest to a place of the group is at most two radii farther from its mean
+  // than the one that is nearest to that; a little more for rounding.
+  Entries near(const PlaceGroup& group, const Entries& among) {
+    distance2_.resize(among.number.size());
+    float least = distance2(among.places.at(0), group.mean);
+    for (std::size_t k = 0; k < distance2_.size(); ++k) {
+      distance2_[k] = distance2(among.places.at(k), group.mean);
+      least = std::min(least, distance2_[k]);
+    }
+    const float reach = (std::sqrt(least) + 2 * group.radius) * (1 + 1e-5F) + 1e-6F;
+    Entries found;
+    for (std::size_t k = 0; k < distance2_.size(); ++k) {
+      if (distance2_[k] > reach * reach) continue;
+      found.places.push_back(among.places.at(k), 0);
+      found.number.push_back(among.number[k]);
+    }
+    return found;
+  }
+
+  void descend(const PlaceGroup& group, std::size_t level, const Entries& among) {
+    const Entries entries = near(group, among);
+    if (level + 1 < places_.levels.size()) {
+      for (std::uint32_t g = group.first; g < group.end; ++g) {
+        descend(places_.levels[level + 1][g], level + 1, entries);
+      }
+      return;
+    }
+    std::uint32_t* const index = result_.index.data() + group.first;
+    search_.nearest(planes_of(entries.places), planes_of(places_.places, group.first, group.end),
+                    axes_, index, result_.distance2.data() + group.first);
+    for (std::uint32_t i = 0; i < group.end - group.first; ++i) index[i] = entries.number[index[i]];
+  }
+
+  const GroupedPlaces& places_;
+  int axes_;
+  Nearest& result_;
+  PlaceSearch search_;
+  std::vector<float> distance2_;
+};
+
+// Places that belong to a mean.
+struct Cluster {
+  double weight = 0;
+  std::array<double, 4> sum{};
+};
+
+// A distance below which its inverse grows no further.
+double least_distance(const Places& places, const Nearest& nearest) {
+  double sum = 0;
+  double weight = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    sum += places.weight[i] * std::sqrt(double{nearest.distance2[i]});
+    weight += places.weight[i];
+  }
+  return 0.1 * sum / weight + 1e-30;
+}
+
+std::vector<Cluster> clusters_of(const Places& places, const Nearest& nearest, std::size_t means,
+                                 bool by_distance) {
+  std::vector<Cluster> clusters(means);
+  const double least = by_distance ? least_distance(places, nearest) : 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Cluster& cluster = clusters[nearest.index[i]];
+    double w = places.weight[i];
+    if (by_distance) w /= std::sqrt(double{nearest.distance2[i]}) + least;
+    cluster.weight += w;
+    for (std::size_t a = 0; a < 4; ++a) cluster.sum[a] += w * places.axis[a][i];
+  }
+  return clusters;
+}
+
+}  // namespace
+
+ColorCells::ColorCells(std::span<const Histogram::Entry> entries, const Metric& metric) {
+  std::vector<std::uint32_t> next(kCells + 1);
+  for (const auto& e : entries) ++next[cell_of(e.color) + 1];
+  for (std::size_t c = 0; c < kCells; ++c) next[c + 1] += next[c];
+  entry.resize(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    entry[next[cell_of(entries[i].color)]++] = static_cast<std::uint32_t>(i);
+  }
+  std::vector<Histogram::Entry> ordered;
+  ordered.reserve(entries.size());
+  for (const std::uint32_t i : entry) ordered.push_back(entries[i]);
+  colors.places = places_of(ordered, metric);
+
+  const auto cell = [&ordered](std::uint32_t i) { return cell_of(ordered[i].color); };
+  const std::vector<PlaceGroup> fine = groups_by(colors.places, {}, cell);
+  for (const PlaceGroup& group : fine) {
+    double weight = 0;
+    for (std::uint32_t i = group.first; i < group.end; ++i) weight += colors.places.weight[i];
+    cells.places.push_back(group.mean, static_cast<float>(weight));
+  }
+  const auto coarse_cell = [&](std::uint32_t g) { return cell(fine[g].first) >> 6; };
+  colors.levels = {groups_by(cells.places, fine, coarse_cell), fine};
+  cells.levels = {groups_by(cells.places, {}, coarse_cell)};
+}
+
+Nearest nearest_entries(const GroupedPlaces& places, const Places& entries) {
+  GroupSearch::Entries all{entries, {}};
+  for (std::uint32_t k = 0; k < entries.size(); ++k) all.number.push_back(k);
+  Nearest nearest{std::vector<std::uint32_t>(places.places.size()),
+                  std::vector<float>(places.places.size())};
+  GroupSearch(places, std::max(places.places.axes, entries.axes), nearest).run(all);
+  return nearest;
+}
+
+void move_means(const GroupedPlaces& places, const MeanRounds& rounds, Places& means) {
+  for (int round = 0; round < rounds.rounds; ++round) {
+    const Nearest nearest = nearest_entries(places, means);
+    const auto clusters = clusters_of(places.places, nearest, means.size(), rounds.distances);
+    for (std::size_t k = rounds.fixed; k < means.size(); ++k) {
+      if (!(clusters[k].weight > 0)) continue;
+      for (std::size_t a = 0; a < 4; ++a) {
+        means.axis[a][k] = static_cast<float>(clusters[k].sum[a] / clusters[k].weight);
+      }
+    }
+  }
+}
+
+}  // namespace tristim::detail

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/palette/places.h"
+#include "lib/palette/search.h"
+
+namespace tristim::detail {
+
+/// Neighbouring places.
+struct PlaceGroup {
+  std::uint32_t first = 0, end = 0;  // of the places, or of the groups one level below
+  Place mean{};
+  float radius = 0;  // no place of the group is farther from the mean
+};
+
+/// Places in an order in which neighbours are together, in groups of groups: what holds for a group
+/// is found once for all of its places.
+struct GroupedPlaces {
+  Places places;
+  std::vector<std::vector<PlaceGroup>> levels;  // the coarsest first; of the last, groups of places
+};
+
+/// Colours by cells of 4 x 4 x 4 codes, those by cells of 16 x 16 x 16.
+struct ColorCells {
+  GroupedPlaces colors;
+  std::vector<std::uint32_t> entry;  // of each colour the entry that it came from
+  GroupedPlaces cells;               // the weighted means of the fine cells
+
+  ColorCells(std::span<const Histogram::Entry> entries, const Metric& metric);
+};
+
+struct Nearest {
+  std::vector<std::uint32_t> index;
+  std::vector<float> distance2;
+};
+
+/// The nearest of `entries` to each place, exactly as PlaceSearch finds it among all: a group asks
+/// only those that can be nearest to one of its places.
+Nearest nearest_entries(const GroupedPlaces& places, const Places& entries);
+
+/// How means move.
+struct MeanRounds {
+  int rounds = 0;
+  std::size_t fixed = 0;   // of the means, the first, which stay where they are
+  bool distances = false;  // weigh places by 1/distance: lessens the mean distance, not its square
+  bool reseed = false;     // means that gain little move to where one gains much
+};
+
+/// Moves each of `means` to the weighted mean of the places nearest to it, over and over [Lloyd82].
+/// A mean without places stays.
+void move_means(const GroupedPlaces& places, const MeanRounds& rounds, Places& means);
+
+}  // namespace tristim::detail

@@ -1,0 +1,219 @@
+#include "lib/palette/cuts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "tristim/palette/quantize.h"
+
+namespace tristim {
+namespace detail {
+namespace {
+
+using Vector = std::array<double, 4>;
+
+// Some of the places, in the order of the last cut.
+struct Set {
+  std::span<std::uint32_t> members;
+  double gain = 0;     // by which the rule ranks sets; 0: cannot be cut
+  Vector direction{};  // across which it is cut
+};
+
+double dot(const Vector& a, const Place& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+struct Moments {
+  double weight = 0;
+  Vector mean{};
+  std::array<Vector, 4> scatter{};  // weighted sums of products about the mean
+};
+
+Moments moments(const Places& places, std::span<const std::uint32_t> members) {
+  Moments m;
+  for (const std::uint32_t i : members) {
+    const Place place = places.at(i);
+    m.weight += places.weight[i];
+    for (std::size_t a = 0; a < 4; ++a) m.mean[a] += double{places.weight[i]} * place[a];
+  }
+  for (double& mean : m.mean) mean /= m.weight;
+  for (const std::uint32_t i : members) {
+    const Place place = places.at(i);
+    Vector d{};
+    for (std::size_t a = 0; a < 4; ++a) d[a] = place[a] - m.mean[a];
+    for (std::size_t a = 0; a < 4; ++a) {
+      for (std::size_t b = a; b < 4; ++b) m.scatter[a][b] += places.weight[i] * d[a] * d[b];
+    }
+  }
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = 0; b < a; ++b) m.scatter[a][b] = m.scatter[b][a];
+  }
+  return m;
+}
+
+// The direction of the largest scatter, by powers of the matrix; what it leaves out is noise.
+Vector principal_axis(const std::array<Vector, 4>& scatter, double& variance) {
+  constexpr int kPowers = 16;
+  Vector axis{1, 0.7, 0.5, 0.3};  // along none of the usual ones
+  variance = 0;
+  for (int i = 0; i < kPowers; ++i) {
+    Vector next{};
+    for (std::size_t a = 0; a < 4; ++a) {
+      for (std::size_t b = 0; b < 4; ++b) next[a] += scatter[a][b] * axis[b];
+    }
+    variance =
+        std::sqrt(next[0] * next[0] + next[1] * next[1] + next[2] * next[2] + next[3] * next[3]);
+    if (!(variance > 0)) return axis;
+    for (std::size_t a = 0; a < 4; ++a) axis[a] = next[a] / variance;
+  }
+  return axis;
+}
+
+class Cutter {
+ public:
+  Cutter(const Places& places, CutRule rule)
+      : places_(places), rule_(rule), order_(places.size()), along_(places.size()) {
+    std::iota(order_.begin(), order_.end(), 0U);
+  }
+
+  std::vector<std::uint32_t> run(int sets) {
+    std::vector<Set> all{judged(order_)};
+    while (std::ssize(all) < sets) {
+      const auto worst = std::max_element(
+          all.begin(), all.end(), [](const Set& a, const Set& b) { return a.gain < b.gain; });
+      if (!(worst->gain > 0)) break;
+      double gained = 0;
+      const std::size_t first = best_cut(worst->members, worst->direction, gained);
+      const auto members = worst->members;
+      *worst = judged(members.first(first));
+      all.push_back(judged(members.subspan(first)));
+    }
+    std::vector<std::uint32_t> set(places_.size());
+    for (std::size_t s = 0; s < all.size(); ++s) {
+      for (const std::uint32_t i : all[s].members) set[i] = static_cast<std::uint32_t>(s);
+    }
+    return set;
+  }
+
+ private:
+  Set judged(std::span<std::uint32_t> members) {
+    Set set{members, 0, {}};
+    if (members.size() < 2) return set;
+    const Moments m = moments(places_, members);
+    if (rule_ == CutRule::kPrincipalAxis) {
+      set.direction = principal_axis(m.scatter, set.gain);
+    } else if (rule_ == CutRule::kWidestAxis) {
+      std::size_t widest = 0;
+      for (std::size_t a = 0; a < 4; ++a) {
+        set.gain += m.scatter[a][a];
+        if (m.scatter[a][a] > m.scatter[widest][widest]) widest = a;
+      }
+      set.direction[widest] = 1;
+    } else {
+      for (int a = 0; a < places_.axes; ++a) {
+        Vector axis{};
+        axis[static_cast<std::size_t>(a)] = 1;
+        double gain = 0;
+        best_cut(members, axis, gain);
+        if (gain > set.gain) set.gain = gain, set.direction = axis;
+      }
+    }
+    // What rounding leaves of members in one place is no gain.
+    if (set.gain <= 1e-12 * m.weight) set.gain = 0;
+    return set;
+  }
+
+  // Sorts the members along a direction; how many come before the cut that gains most: w1 w2/(w1 +
+  // w2) times the square of the distance of the means.
+  std::size_t best_cut(std::span<std::uint32_t> members, const Vector& direction, double& gain) {
+    for (const std::uint32_t i : members) {
+      along_[i] = static_cast<float>(dot(direction, places_.at(i)));
+    }
+    std::sort(members.begin(), members.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return along_[a] != along_[b] ? along_[a] < along_[b] : a < b;
+    });
+    double weight = 0;
+    double sum = 0;
+    for (const std::uint32_t i : members) {
+      weight += places_.weight[i];
+      sum += double{places_.weight[i]} * along_[i];
+    }
+    const double mean = sum / weight;
+    double low_weight = 0;
+    double low_sum = 0;  // about the mean
+    std::size_t best = 1;
+    gain = 0;
+    for (std::size_t i = 0; i + 1 < members.size(); ++i) {
+      const double w = places_.weight[members[i]];
+      low_weight += w;
+      low_sum += w * (along_[members[i]] - mean);
+      if (along_[members[i]] == along_[members[i + 1]]) continue;
+      const double reached = low_sum * low_sum * weight / (low_weight * (weight - low_weight));
+      if (reached > gain) gain = reached, best = i + 1;
+    }
+    return best;
+  }
+
+  const Places& places_;
+  CutRule rule_;
+  std::vector<std::uint32_t> order_;
+  std::vector<float> along_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> cut_places(const Places& places, int sets, CutRule rule) {
+  return Cutter(places, rule).run(sets);
+}
+
+std::vector<Color8> set_means(std::span<const Histogram::Entry> entries,
+                              std::span<const std::uint32_t> set) {
+  struct Sums {
+    std::array<std::uint64_t, 3> color{};
+    std::uint64_t alpha = 0, count = 0;
+  };
+  std::vector<Sums> sums(set.empty() ? 0 : *std::max_element(set.begin(), set.end()) + 1);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto& [c, count] = entries[i];
+    Sums& s = sums[set[i]];
+    s.color[0] += c.r * c.a * count;
+    s.color[1] += c.g * c.a * count;
+    s.color[2] += c.b * c.a * count;
+    s.alpha += c.a * count;
+    s.count += count;
+  }
+  const auto mean = [](std::uint64_t sum, std::uint64_t n) {
+    return n == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>((2 * sum + n) / (2 * n));
+  };
+  std::vector<Color8> means;
+  for (const Sums& s : sums) {
+    if (s.count == 0) continue;
+    means.push_back({mean(s.color[0], s.alpha), mean(s.color[1], s.alpha),
+                     mean(s.color[2], s.alpha), mean(s.alpha, s.count)});
+  }
+  return means;
+}
+
+}  // namespace detail
+
+namespace {
+
+std::vector<Color8> choose_by_cuts(const PaletteTask& task, detail::CutRule rule) {
+  const detail::Places places = detail::places_of(task.entries, *task.metric);
+  return detail::set_means(task.entries, detail::cut_places(places, task.colors, rule));
+}
+
+}  // namespace
+
+std::vector<Color8> choose_variance_cut(const PaletteTask& task) {
+  return choose_by_cuts(task, detail::CutRule::kWidestAxis);
+}
+std::vector<Color8> choose_principal_cut(const PaletteTask& task) {
+  return choose_by_cuts(task, detail::CutRule::kPrincipalAxis);
+}
+std::vector<Color8> choose_wu(const PaletteTask& task) {
+  return choose_by_cuts(task, detail::CutRule::kBestAxis);
+}
+
+}  // namespace tristim

@@ -1,0 +1,13 @@
+#include "lib/palette/means.h"
+
+namespace tristim {
+
+std::vector<Color8> choose_k_means(const PaletteTask& task) {
+  constexpr int kRounds = 20;
+  const detail::ColorCells cells(task.entries, *task.metric);
+  detail::Places means = detail::starting_means(task, cells.colors.places);
+  detail::move_means(cells.colors, {.rounds = kRounds, .fixed = task.fixed.size()}, means);
+  return detail::colors_of_means(task, cells, means);
+}
+
+}  // namespace tristim

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/palette/clusters.h"
+#include "lib/palette/cuts.h"
+#include "tristim/palette/quantize.h"
+
+namespace tristim::detail {
+
+/// Means to begin with: the fixed colours' places, then those of a principal cut.
+Places starting_means(const PaletteTask& task, const Places& places);
+
+/// The colours that are nearest to each mean but the fixed ones, as their mean in codes; those of
+/// means without colours, or with an equal mean, are the farthest from what is there.
+std::vector<Color8> colors_of_means(const PaletteTask& task, const ColorCells& cells,
+                                    const Places& means);
+
+}  // namespace tristim::detail
