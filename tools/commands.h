@@ -27,8 +27,6 @@ inline constexpr Command kCommands[] = {
     {"gamut", "SET... [options]", "areas, coverage and diagrams of gamuts", run_gamut},
     {"compare", "REF OUT | COLOR COLOR... [options]",
      "how good a picture is beside another one, how different colours are", run_compare},
-    {"palette", "check FILE|COLORS... [options]", "check a palette by the guidelines for colour",
-    {"compare", "COLOR COLOR... [options]", "how different colours are", run_compare},
     {"palette", "show|convert|check ... [options]", "show, convert and check palettes",
      run_palette},
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
