@@ -92,6 +92,8 @@ MixPalette::MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix m
     }
   }
   for (std::size_t c = 0; c < 3; ++c) {
+    step_[c] =
+        (high_[c] - low_[c]) / static_cast<float>(std::max<std::size_t>(entries_.size(), 2) - 1);
     const float slack = (high_[c] - low_[c]) * kSlack;
     low_[c] -= slack;
     high_[c] += slack;
@@ -161,46 +163,6 @@ void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matri
     const std::size_t at = rank * plan.size() / static_cast<std::size_t>(matrix.ranks);
     indices[x] = static_cast<std::uint16_t>(plan[at]);
   }
-}
-
-PaletteDiffusion::PaletteDiffusion(const MixPalette& palette, int width,
-                                   const DiffusionOptions& options)
-    : palette_(&palette), options_(options), width_(width), errors_(*options.kernel, width, 3) {}
-
-void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> indices,
-                           std::span<const float> strength) noexcept {
-  const bool reversed = options_.serpentine && y_ % 2 == 1;
-  const int direction = reversed ? -1 : 1;
-  std::span<const ToneWeights> tones;
-  if (options_.kernel->tones != nullptr) tones = options_.kernel->tones();
-  for (int i = 0; i < width_; ++i) {
-    const int x = reversed ? width_ - 1 - i : i;
-    const auto at = static_cast<std::size_t>(x);
-    Color color = palette_->from_light(&rgb[3 * at]);
-    if (const int entry = palette_->equal_entry(color); entry >= 0) {
-      indices[at] = static_cast<std::uint16_t>(entry);
-      continue;
-    }
-    const float share = strength.empty() ? 1 : strength[at];
-    for (int c = 0; c < 3; ++c) {
-      color[static_cast<std::size_t>(c)] += errors_.received(x, c) * share;
-    }
-    color = palette_->bounded(color);
-    const int index = palette_->nearest(color);
-    indices[at] = static_cast<std::uint16_t>(index);
-    const Color& got = palette_->entry(index);
-    for (int c = 0; c < 3; ++c) {
-      const auto channel = static_cast<std::size_t>(c);
-      const float error = (color[channel] - got[channel]) * share;
-      if (tones.empty()) {
-        errors_.spread(x, c, error, direction);
-      } else {
-        errors_.spread(x, c, error, direction, tones[tone_index(rgb[3 * at + channel])]);
-      }
-    }
-  }
-  errors_.next_row();
-  ++y_;
 }
 
 }  // namespace tristim

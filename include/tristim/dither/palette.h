@@ -49,6 +49,10 @@ class MixPalette {
   /// others must not run away.
   Color bounded(const Color& color) const noexcept;
 
+  /// A step between entries, as far as a palette has one: its range through the number of entries
+  /// less one.
+  const Color& step() const noexcept { return step_; }
+
   /// Order of the entries by luminance, for ordered dither: position in it.
   int luminance_rank(int index) const noexcept { return rank_[static_cast<std::size_t>(index)]; }
 
@@ -58,7 +62,7 @@ class MixPalette {
   PaletteHull hull_;
   std::vector<Color> entries_;
   std::vector<int> rank_;
-  Color low_{}, high_{};
+  Color low_{}, high_{}, step_{};
 };
 
 /// The nearest entry of each pixel.
@@ -85,8 +89,18 @@ class PaletteDiffusion {
            std::span<const float> strength = {}) noexcept;
 
  private:
+  struct Place {
+    int x, y;
+    int direction;  // 1: from left to right
+  };
+  int choose(Place place, const float* rgb, float jitter, float share) noexcept;
+  MixPalette::Color threshold(Place place, const float* rgb, float jitter) const noexcept;
+  void settle(std::span<const float> first, std::span<const float> strength);
+
   const MixPalette* palette_;  // outlives this
   DiffusionOptions options_;
+  std::span<const ToneWeights> tones_;
+  std::uint32_t seed_;
   int width_;
   int y_ = 0;
   ErrorRows errors_;
