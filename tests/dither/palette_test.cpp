@@ -198,8 +198,8 @@ TEST(PaletteDiffusion, KeepsTheToneOfDarkFieldsAtTheTop) {
   const std::vector<float> row(std::size_t{3} * kWidth, kLight);
   for (const DiffusionKernel& kernel : kDiffusionKernels) {
     if (passed_on(kernel) < 1) continue;
-    PaletteDiffusion diffusion(
-        palette, kWidth, {.kernel = &kernel, .serpentine = true, .jitter = kernel.jitter});
+    PaletteDiffusion diffusion(palette, kWidth,
+                               {.kernel = &kernel, .serpentine = true, .jitter = kernel.jitter});
     std::vector<std::uint16_t> indices(kWidth);
     double lit = 0;
     for (int y = 0; y < kHeight; ++y) {

@@ -17,7 +17,7 @@ MAY_INCLUDE = {
     "lut": "core color device image",
     "palette": "core color image",
     "dither": "core color image palette",
-    "pipeline": "core color image device palette dither frame lut",
+    "pipeline": "core color image measure device palette dither frame lut",
     "light": "core color",
     "render": "core color image light",
 }
