@@ -267,7 +267,9 @@ Reducer::Reducer(const Display& display, const ReduceOptions& options, int width
       throw std::invalid_argument("display: an indexed packing needs a palette");
     }
     if (whole_picture()) {
-      throw std::invalid_argument("dither: a method for whole pictures takes no palette");
+      throw std::invalid_argument("dither: " + dither_name(options.dither) +
+                                  " works on the levels of channels, not on a palette; use a "
+                                  "kernel such as floyd-steinberg");
     }
     s.set_up_palette(width);
     return;

@@ -126,14 +126,14 @@ inline constexpr DiffusionKernel kOstromoukhov{.name = "ostromoukhov",
 inline constexpr DiffusionKernel kZhouFang{
     .name = "zhou-fang", .source = "[ZhouFang03]", .serpentine = true, .tones = zhou_fang_tones};
 
-// Found by search: of ten weights, those whose noise the eye sees least in two photographs (docs/
-// halftones.md, "Error diffusion"). Weights below zero push the noise to where the eye is blind.
+// Found by search: of ten weights, those whose noise the eye sees least in two photographs, see
+// docs/diffusion.md. Weights below zero push the noise to where the eye is blind.
 // clang-format off
 inline constexpr DiffusionKernel kBlueDiffusion{.name = "blue-diffusion", .divisor = 64,
                                                 .weight = {{{0, 0,  0,  0, 45, -5,  0},
                                                             {0, 1, 19, 26, -6, -5,  0},
                                                             {0, 0, -8, -7,  4,  0,  0}}},
-                                                .source = "searched for; docs/halftones.md",
+                                                .source = "weights found by search, docs/diffusion.md",
                                                 .serpentine = true, .jitter = 0.15F,
                                                 .closed = true};
 // clang-format on
