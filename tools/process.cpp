@@ -6,6 +6,7 @@
 #include "tristim/core/error.h"
 #include "tristim/core/find.h"
 #include "tristim/device/display_file.h"
+#include "tristim/dither/io/matrix_file.h"
 #include "tristim/frame/io/write.h"
 
 namespace tristim::tools {
@@ -108,6 +109,13 @@ void check_streams(const ProcessOptions& options, const std::string& pipeline) {
   refuse_terminal(options.proof);
 }
 
+// A matrix from a file takes the place of a dither with a name.
+void read_own_matrix(Settings& settings) {
+  if (settings.dither_file.empty()) return;
+  const ThresholdMatrix matrix = read_matrix(settings.dither_file);
+  settings.dither = NamedDither{matrix.name, matrix, matrix.source};
+}
+
 void check(const ProcessOptions& options) {
   if (options.output.empty()) {
     throw Error(ErrorKind::kMisuse, "--output", "is missing",
@@ -170,6 +178,7 @@ void run_process(Arguments arguments) {
   check_streams(options, pipeline);
   if (!pipeline.empty()) read_pipeline_file(pipeline, options.settings);
   apply_settings(options.settings, given);
+  read_own_matrix(options.settings);
   const Display device = load_display(options.device);
   for (Job& job : jobs_of(options, pipeline)) process_picture(options, device, std::move(job));
 }

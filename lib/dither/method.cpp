@@ -1,5 +1,8 @@
 #include "tristim/dither/method.h"
 
+#include "tristim/core/find.h"
+#include "tristim/dither/matrices.h"
+
 namespace tristim {
 
 const std::vector<NamedDither>& dither_methods() {
@@ -27,9 +30,19 @@ DiffusionOptions diffusion_options(const DiffusionKernel& kernel,
           .settled = parameters.settled};
 }
 
+std::optional<NamedDither> find_dither(std::string_view name) {
+  if (const NamedDither* found = find_by_name(dither_methods(), name)) return *found;
+  const std::optional<MatrixRecipe> recipe = find_matrix_recipe(name);
+  if (!recipe) return std::nullopt;
+  return NamedDither{std::string(name), *recipe, std::string(recipe->source)};
+}
+
 std::vector<ThresholdMatrix> dither_matrices(const DitherMethod& method,
                                              const DitherParameters& parameters, int channels) {
   const auto count = static_cast<std::size_t>(channels);
+  if (parameters.frame && !std::holds_alternative<MatrixRecipe>(method)) {
+    refuse_frame(std::visit([](const auto& m) { return std::string(m.name); }, method));
+  }
   if (const auto* own = std::get_if<ThresholdMatrix>(&method)) return {count, *own};
   const auto* recipe = std::get_if<MatrixRecipe>(&method);
   if (recipe == nullptr) return {};

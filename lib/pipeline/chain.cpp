@@ -5,6 +5,7 @@
 #include "tristim/color/transfer.h"
 #include "tristim/core/error.h"
 #include "tristim/core/find.h"
+#include "tristim/image/repeat.h"
 
 namespace tristim {
 namespace {
@@ -14,6 +15,15 @@ Rgb background_light(const EncodedRgb& color, const Primaries& picture) {
   const Eigen::Vector3d srgb(srgb_decode(color.r), srgb_decode(color.g), srgb_decode(color.b));
   const Eigen::Vector3d light = rgb_from_rgb(picture, Primaries{}, Adaptation::kBradford) * srgb;
   return {light.x(), light.y(), light.z()};
+}
+
+// How many cells make a side of the result; 0 stays 0.
+int cells_of(int pixels, int cell) {
+  if (pixels % cell == 0) return pixels / cell;
+  throw Error(ErrorKind::kMisuse, "--cells",
+              "a side of " + std::to_string(pixels) + " pixels is no multiple of cells of " +
+                  std::to_string(cell),
+              "give another size, or cells that divide it");
 }
 
 // Counts codes instead of writing them.
@@ -43,7 +53,10 @@ std::unique_ptr<RowSource> prepare(std::unique_ptr<RowSource> picture, const Dis
   options.filter = settings.filter;
   options.background = background;
   options.rotate_deg = settings.rotate_deg;
-  return fit(flatten(std::move(picture), background, counts), options);
+  options.width = cells_of(options.width, settings.cell_width);
+  options.height = cells_of(options.height, settings.cell_height);
+  return repeat_pixels(fit(flatten(std::move(picture), background, counts), options),
+                       settings.cell_width, settings.cell_height);
 }
 
 StageList stage_list(const PictureInfo& picture, const Display& display, const Settings& settings) {

@@ -8,6 +8,7 @@
 #include "lib/color/curve_table.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
+#include "tristim/dither/ordered.h"
 
 namespace tristim {
 namespace {
@@ -77,7 +78,7 @@ ChannelReducer channel_reducer(const LevelScale& scale, const ReduceOptions& opt
   if (options.mix == Mix::kEncoded) {
     for (float& light : levels.light) light = detail::srgb_encode_table()(light);
   }
-  if (matrix != nullptr) return OrderedDither(std::move(levels), *matrix);
+  if (matrix != nullptr) return OrderedDither(levels, *matrix);
   if (const auto* whole = std::get_if<WholePictureDither>(&options.dither)) {
     return WholeChannel{whole, std::move(levels)};
   }
@@ -148,6 +149,8 @@ struct Reducer::State {
   std::span<float> grey_row(std::span<float> rgb) const;
   void reduce_channel(std::size_t channel, ChannelRow<float> in, int y,
                       ChannelRow<std::uint16_t> out, std::span<const float> strength);
+  void reduce_ordered_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
+                          std::span<const float> strength);
   void reduce_row(const Band& band, int row, std::span<std::uint16_t> out);
   void reduce_whole(const Band& band, ImageView<std::uint16_t> codes);
   bool dithered() const noexcept { return !std::holds_alternative<NoDither>(options.dither); }
@@ -210,6 +213,18 @@ std::span<float> Reducer::State::grey_row(std::span<float> rgb) const {
   return grey;
 }
 
+// Three channels at once.
+void Reducer::State::reduce_ordered_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
+                                        std::span<const float> strength) {
+  if (options.mix == Mix::kEncoded) {
+    const detail::CurveTable& encode = detail::srgb_encode_table();
+    for (float& v : rgb) v = encode(v);
+  }
+  const OrderedDither* dithers[3];
+  for (std::size_t c = 0; c < 3; ++c) dithers[c] = &std::get<OrderedDither>(channels[c]);
+  OrderedDither::rgb_row(dithers, rgb, y, out, strength);
+}
+
 void Reducer::State::reduce_row(const Band& band, int row, std::span<std::uint16_t> out) {
   const int y = band.y0 + row;
   const std::vector<float> strength = row_strength(band, row, options.parameters.strength);
@@ -218,6 +233,9 @@ void Reducer::State::reduce_row(const Band& band, int row, std::span<std::uint16
   const int width = band.view.width;
   if (samples == 1) {
     return reduce_channel(0, {grey_row(rgb).data(), width, 1}, y, {out.data(), width, 1}, strength);
+  }
+  if (std::holds_alternative<OrderedDither>(channels[0])) {
+    return reduce_ordered_row(rgb, y, out, strength);
   }
   for (std::size_t c = 0; c < 3; ++c) {
     reduce_channel(c, {rgb.data() + c, width, 3}, y, {out.data() + c, width, 3}, strength);

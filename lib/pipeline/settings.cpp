@@ -112,6 +112,32 @@ Result set_jitter(Settings& settings, std::string_view value) {
   return {};
 }
 
+// A name of no method is a file's where it has a folder or an extension.
+Result set_dither(Settings& settings, std::string_view value) {
+  settings.dither_file.clear();
+  settings.dither = find_dither(value);
+  if (settings.dither) return {};
+  if (value.find_first_of("./") == std::string_view::npos) {
+    return unknown("dither", dither_methods(), value);
+  }
+  settings.dither_file = std::string(value);
+  return {};
+}
+
+Result set_cells(Settings& settings, std::string_view value) {
+  constexpr long long kMostSide = 256;
+  const std::vector<std::string_view> parts = split(value, 'x');
+  const auto width = parse_integer(parts[0]);
+  const auto height = parts.size() == 2 ? parse_integer(parts[1]) : width;
+  const auto fits = [](const auto& side) { return side && *side >= 1 && *side <= kMostSide; };
+  if (parts.size() > 2 || !fits(width) || !fits(height)) {
+    return not_a("cell", value, "give a side of 1 to 256, or WIDTHxHEIGHT, in device pixels");
+  }
+  settings.cell_width = static_cast<int>(*width);
+  settings.cell_height = static_cast<int>(*height);
+  return {};
+}
+
 Result set_strength(Settings& settings, std::string_view value) {
   const auto strength = parse_number(value);
   if (!strength || !(*strength >= 0 && *strength <= 1)) {
@@ -225,12 +251,13 @@ std::vector<Setting> make_settings() {
          return choose("black point", kBlackPoints, v,
                        [&](const NamedBlackPoint& p) { s.black_point = p.point; });
        }},
-      {"dither", "NAME",
+      {"dither", "NAME|FILE",
        "how tones between the codes are made: " + list_names(dither_methods()) +
-           "; default: what suits the device",
-       [](Settings& s, std::string_view v) {
-         return choose("dither", dither_methods(), v, [&](const NamedDither& d) { s.dither = d; });
-       }},
+           "; or a matrix that comes in sizes with one behind its name (magic5); or a file with "
+           "your own matrix, CSV or a grey picture; default: what suits the device",
+       set_dither},
+      {"cells", "N|WxH", "a cell of N x N device pixels for each of the picture's; default: 1",
+       set_cells},
       {"serpentine", "",
        "error diffusion turns round at every row; default: for indexed devices, else what suits "
        "the "

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tristim/core/find.h"
+#include "tristim/dither/matrices.h"
 
 namespace tristim {
 namespace {

@@ -10,6 +10,7 @@
 #include "tests/pipeline/pictures.h"
 #include "tristim/core/find.h"
 #include "tristim/device/display_file.h"
+#include "tristim/dither/matrices.h"
 
 namespace tristim {
 namespace {

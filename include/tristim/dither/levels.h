@@ -8,7 +8,6 @@
 #include "tristim/dither/error_rows.h"
 #include "tristim/dither/kernel.h"
 #include "tristim/dither/level_search.h"
-#include "tristim/dither/threshold_matrix.h"
 
 namespace tristim {
 
@@ -39,25 +38,6 @@ class NearestLevel {
 struct MixLevels {
   std::vector<float> light;
   std::vector<std::uint16_t> code;
-};
-
-/// Ordered dither between the levels that bracket a light, at its fraction f of the way, in light:
-/// S = floor(f N + 1/2), N the ranks of the matrix; the upper level where S > rank [Shoaff 2.1.2].
-class OrderedDither {
- public:
-  OrderedDither(MixLevels levels, ThresholdMatrix matrix);
-
-  /// Row `y` of the picture. Light outside the levels takes the end level. `strength`, pixel by
-  /// pixel, 0 .. 1, draws the thresholds towards half way, where the nearest level changes;
-  /// empty: 1.
-  void row(ChannelRow<const float> in, int y, ChannelRow<std::uint16_t> out,
-           std::span<const float> strength = {}) const noexcept;
-
- private:
-  MixLevels levels_;
-  std::vector<float> steps_per_light_;  // N / (upper - lower), by lower level
-  ThresholdMatrix matrix_;
-  LevelSearch search_;
 };
 
 struct DiffusionOptions {

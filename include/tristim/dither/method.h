@@ -50,8 +50,13 @@ const std::vector<NamedDither>& dither_methods();
 DiffusionOptions diffusion_options(const DiffusionKernel& kernel,
                                    const DitherParameters& parameters, int channel = 0);
 
+/// The method called `name`, or a matrix with its size behind its name, "magic5". Nothing where
+/// there is none.
+std::optional<NamedDither> find_dither(std::string_view name);
+
 /// The matrices that an ordered method dithers with, one for each of `channels` channels; empty for
-/// methods of other kinds.
+/// methods of other kinds. Throws std::invalid_argument for a size or a frame that the method does
+/// not come in.
 std::vector<ThresholdMatrix> dither_matrices(const DitherMethod& method,
                                              const DitherParameters& parameters, int channels);
 

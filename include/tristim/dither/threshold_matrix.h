@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -55,31 +54,5 @@ struct MatrixRecipe {
   bool by_channel = false;  // colour devices get one for each channel
   bool by_frame = false;    // it changes with time
 };
-
-/// Dispersed, of side 2^k up to 256: D(2n) = [4 D(n), 4 D(n) + 2; 4 D(n) + 3, 4 D(n) + 1] from D(1)
-/// = 0 [Bayer73].
-ThresholdMatrix bayer_matrix(const MatrixParameters& parameters);
-
-/// The document's 3 x 3 cell [6 8 4; 1 0 3; 5 2 7] [Shoaff 2.1.2].
-ThresholdMatrix d3_matrix(const MatrixParameters& parameters);
-
-/// A screen of two dots at 45 degrees in an 8 x 8 cell: highlights grow as round holes and shadows
-/// as round dots from their centres, in pairs that differ by one step [Ulichney87 ch. 5].
-ThresholdMatrix clustered_matrix(const MatrixParameters& parameters);
-
-/// Every matrix. The command line, the docs and the property tests read this list.
-inline constexpr std::array kMatrixRecipes{
-    MatrixRecipe{"d2", 2, false, bayer_matrix, "[Shoaff 2.1.2] D2 = [0 2; 3 1]"},
-    MatrixRecipe{"d3", 3, true, d3_matrix, "[Shoaff 2.1.2] D3 = [6 8 4; 1 0 3; 5 2 7]"},
-    MatrixRecipe{"bayer2", 2, false, bayer_matrix, "[Bayer73]"},
-    MatrixRecipe{"bayer4", 4, false, bayer_matrix, "[Bayer73]"},
-    MatrixRecipe{"bayer8", 8, false, bayer_matrix, "[Bayer73]"},
-    MatrixRecipe{"bayer16", 16, false, bayer_matrix, "[Bayer73]"},
-    MatrixRecipe{"clustered8", 8, true, clustered_matrix,
-                 "[Ulichney87 ch. 5], two dots at 45 degrees"},
-};
-
-/// The matrix of a recipe, with its name.
-ThresholdMatrix make_matrix(const MatrixRecipe& recipe, MatrixParameters parameters = {});
 
 }  // namespace tristim

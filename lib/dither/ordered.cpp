@@ -1,0 +1,70 @@
+#include "tristim/dither/ordered.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "lib/dither/ordered_kernels.h"
+
+namespace tristim {
+
+struct OrderedDither::State {
+  detail::OrderedLevels levels;
+  const detail::OrderedKernels* kernels;
+  ThresholdMatrix tile;  // without its ranks
+  std::size_t period, stride;
+  std::vector<std::uint16_t> rank;  // rows as OrderedRow wants them
+
+  State(const MixLevels& mix, const ThresholdMatrix& matrix)
+      : levels(mix, matrix.ranks),
+        kernels(levels.way == detail::LevelsWay::kSearch ? &detail::scalar_ordered_kernels()
+                                                         : &detail::ordered_kernels()),
+        tile{.width = matrix.width, .height = matrix.height, .shift = matrix.shift} {
+    const auto width = static_cast<std::size_t>(matrix.width);
+    period = (detail::kMostLanes + width - 1) / width * width;
+    stride = period + detail::kMostLanes;
+    rank.reserve(static_cast<std::size_t>(matrix.height) * stride);
+    for (int y = 0; y < matrix.height; ++y) {
+      for (std::size_t i = 0; i < stride; ++i) rank.push_back(matrix.row(y)[i % width]);
+    }
+  }
+
+  detail::OrderedRow row(int y) const noexcept {
+    const auto tile_row = static_cast<std::size_t>(y % tile.height);
+    return {&levels, rank.data() + tile_row * stride, period,
+            static_cast<std::size_t>(tile.column(y))};
+  }
+};
+
+OrderedDither::OrderedDither(const MixLevels& levels, const ThresholdMatrix& matrix)
+    : state_(std::make_shared<const State>(levels, matrix)) {}
+
+void OrderedDither::row(ChannelRow<const float> in, int y, ChannelRow<std::uint16_t> out,
+                        std::span<const float> strength) const {
+  const auto count = static_cast<std::size_t>(in.width);
+  const float* part = strength.empty() ? nullptr : strength.data();
+  const detail::OrderedRow row = state_->row(y);
+  if (in.step == 1 && out.step == 1) {
+    return state_->kernels->grey(row, in.data, part, count, out.data);
+  }
+  std::vector<float> light(count);
+  std::vector<std::uint16_t> codes(count);
+  for (int x = 0; x < in.width; ++x) light[static_cast<std::size_t>(x)] = in[x];
+  state_->kernels->grey(row, light.data(), part, count, codes.data());
+  for (int x = 0; x < in.width; ++x) out[x] = codes[static_cast<std::size_t>(x)];
+}
+
+void OrderedDither::rgb_row(const OrderedDither* const (&channels)[3], std::span<const float> in,
+                            int y, std::span<std::uint16_t> out, std::span<const float> strength) {
+  const auto is_searched = [](const OrderedDither* dither) {
+    return dither->state_->levels.way == detail::LevelsWay::kSearch;
+  };
+  const detail::OrderedKernels& kernels = std::ranges::any_of(channels, is_searched)
+                                              ? detail::scalar_ordered_kernels()
+                                              : *channels[0]->state_->kernels;
+  const detail::OrderedRow rows[3] = {channels[0]->state_->row(y), channels[1]->state_->row(y),
+                                      channels[2]->state_->row(y)};
+  kernels.rgb(rows, in.data(), strength.empty() ? nullptr : strength.data(), out.size() / 3,
+              out.data());
+}
+
+}  // namespace tristim

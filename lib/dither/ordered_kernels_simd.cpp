@@ -1,0 +1,284 @@
+// The rows of ordered_kernels.cpp in vectors, for each instruction set.
+// Nothing older than SSE4 has what these need: it takes the emulation.
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "lib/dither/ordered_kernels_simd.cpp"
+// clang-format off: foreach_target.h comes before highway.h
+#include <hwy/foreach_target.h>
+// clang-format on
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "lib/dither/ordered_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace tristim::detail::ordered::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR
+
+// Without vectors: the definition.
+OrderedKernels vector_kernels() { return scalar_ordered_kernels(); }
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using Words = hn::RebindToSigned<Floats>;
+using Bits = hn::RebindToUnsigned<Floats>;
+using Codes = hn::Rebind<std::uint16_t, Floats>;
+using HalfWords = hn::Half<Words>;
+using Wide = hn::Repartition<std::int64_t, Words>;
+using WideBits = hn::RebindToUnsigned<Wide>;
+using Float = hn::Vec<Floats>;
+using Word = hn::Vec<Words>;
+
+// As the scalar code's comparisons: the second where one of them is NaN.
+HWY_INLINE Float larger(Float a, Float b) { return hn::IfThenElse(a > b, a, b); }
+HWY_INLINE Float smaller(Float a, Float b) { return hn::IfThenElse(a < b, a, b); }
+
+struct Mixing {
+  Word lower;
+  Float steps;
+};
+
+struct WordPair {
+  Word first, second;
+};
+
+// The two 32-bit members of the structures that `index` counts.
+HWY_INLINE WordPair gather_pairs(const void* structures, Word index) {
+  const auto* base = static_cast<const std::uint64_t*>(structures);
+  const auto low =
+      hn::GatherIndex(WideBits(), base, hn::PromoteTo(Wide(), hn::LowerHalf(HalfWords(), index)));
+  const auto high =
+      hn::GatherIndex(WideBits(), base, hn::PromoteTo(Wide(), hn::UpperHalf(HalfWords(), index)));
+  const auto a = hn::BitCast(Words(), low);
+  const auto b = hn::BitCast(Words(), high);
+  return {hn::ConcatEven(Words(), b, a), hn::ConcatOdd(Words(), b, a)};
+}
+
+// The ways of ordered_kernels.cpp's mixing().
+
+struct TwoLevels {
+  const OrderedLevels* levels;
+  HWY_INLINE Mixing operator()(Float light) const {
+    const Float along = light - hn::Set(Floats(), levels->lowest);
+    return {hn::Zero(Words()), along * hn::Set(Floats(), levels->ranks_per_light)};
+  }
+};
+
+struct EvenLevels {
+  const OrderedLevels* levels;
+  HWY_INLINE Mixing operator()(Float light) const {
+    const Floats f;
+    const Float along = (light - hn::Set(f, levels->lowest)) * hn::Set(f, levels->levels_per_light);
+    const Float held = smaller(larger(along, hn::Zero(f)), hn::Set(f, levels->last));
+    const Word lower = hn::ConvertTo(Words(), held);
+    return {lower, (held - hn::ConvertTo(f, lower)) * hn::Set(f, levels->ranks)};
+  }
+};
+
+HWY_INLINE Float held_inside(const OrderedLevels& levels, Float light) {
+  const Floats f;
+  return smaller(larger(light, hn::Set(f, levels.lowest)), hn::Set(f, levels.highest));
+}
+
+struct FewLevels {
+  const OrderedLevels* levels;
+  HWY_INLINE Mixing operator()(Float light) const {
+    const Floats f;
+    const Float held = held_inside(*levels, light);
+    Word lower = hn::Zero(Words());
+    Float base = hn::Set(f, levels->levels[0].light);
+    Float ranks_per_light = hn::Set(f, levels->levels[0].ranks_per_light);
+    for (std::size_t i = 1; i < levels->levels.size(); ++i) {
+      const OrderedLevels::Level& level = levels->levels[i];
+      const auto above = held >= hn::Set(f, level.light);
+      lower = lower - hn::VecFromMask(Words(), hn::RebindMask(Words(), above));
+      base = hn::IfThenElse(above, hn::Set(f, level.light), base);
+      ranks_per_light = hn::IfThenElse(above, hn::Set(f, level.ranks_per_light), ranks_per_light);
+    }
+    return {lower, (held - base) * ranks_per_light};
+  }
+};
+
+struct LevelsInBins {
+  const OrderedLevels* levels;
+  HWY_INLINE Mixing operator()(Float light) const {
+    const Floats f;
+    const Words w;
+    const Float held = held_inside(*levels, light);
+    const Word bits = hn::ShiftRightSame(hn::BitCast(w, held), levels->shift);
+    const Word bin = hn::Max(bits - hn::Set(w, levels->first_bin), hn::Zero(w));
+    const WordPair found = gather_pairs(levels->bins.data(), bin);
+    const auto above = hn::RebindMask(w, held >= hn::BitCast(f, found.first));
+    const Word lower = found.second - hn::VecFromMask(w, above);  // a mask's lane is -1
+    const WordPair level = gather_pairs(levels->levels.data(), lower);
+    return {lower, (held - hn::BitCast(f, level.first)) * hn::BitCast(f, level.second)};
+  }
+};
+
+// Goes round a row of the matrix.
+class Leasts {
+ public:
+  explicit Leasts(const OrderedRow& row) : row_(&row), column_(row.column) {}
+
+  HWY_INLINE Float next() {
+    const auto rank = hn::PromoteTo(Words(), hn::LoadU(Codes(), row_->rank + column_));
+    column_ += hn::Lanes(Floats());
+    if (column_ >= row_->period) column_ -= row_->period;
+    return hn::ConvertTo(Floats(), rank) + hn::Set(Floats(), 0.5F);
+  }
+
+ private:
+  const OrderedRow* row_;
+  std::size_t column_;
+};
+
+HWY_INLINE Float drawn_to_middle(Float least, Float middle, Float strength) {
+  return middle + (least - middle) * strength;
+}
+
+HWY_INLINE hn::Vec<Codes> codes_of(const OrderedLevels& levels, Word level) {
+  const Words w;
+  const std::int32_t* codes = levels.codes.data();
+  const Word code =
+      levels.codes_count ? level + hn::Set(w, codes[0]) : hn::GatherIndex(w, codes, level);
+  return hn::DemoteTo(Codes(), code);
+}
+
+// One vector of pixels. `strength` may be null.
+template <class Find>
+HWY_INLINE void reduce(Find find, Leasts& leasts, const float* in, const float* strength,
+                       std::uint16_t* out) {
+  const Floats f;
+  const OrderedLevels& levels = *find.levels;
+  Float least = leasts.next();
+  if (strength != nullptr) {
+    least = drawn_to_middle(least, hn::Set(f, levels.ranks * 0.5F), hn::LoadU(f, strength));
+  }
+  const Mixing mix = find(hn::LoadU(f, in));
+  const Word upper = hn::VecFromMask(Words(), hn::RebindMask(Words(), mix.steps >= least));
+  hn::StoreU(codes_of(levels, mix.lower - upper), Codes(), out);
+}
+
+template <class Find>
+void reduce_row(Find find, const OrderedRow& row, const float* in, const float* strength,
+                std::size_t count, std::uint16_t* out) {
+  const std::size_t lanes = hn::Lanes(Floats());
+  Leasts leasts(row);
+  std::size_t x = 0;
+  if (strength == nullptr) {
+    for (; x + lanes <= count; x += lanes) reduce(find, leasts, in + x, nullptr, out + x);
+  } else {
+    for (; x + lanes <= count; x += lanes) reduce(find, leasts, in + x, strength + x, out + x);
+  }
+  if (x == count) return;
+  std::array<float, kMostLanes> rest{};
+  std::array<float, kMostLanes> rest_strength{};
+  std::array<std::uint16_t, kMostLanes> rest_out{};
+  std::copy(in + x, in + count, rest.begin());
+  if (strength != nullptr) std::copy(strength + x, strength + count, rest_strength.begin());
+  reduce(find, leasts, rest.data(), strength == nullptr ? nullptr : rest_strength.data(),
+         rest_out.data());
+  std::copy_n(rest_out.begin(), count - x, out + x);
+}
+
+void grey(const OrderedRow& row, const float* in, const float* strength, std::size_t count,
+          std::uint16_t* out) {
+  switch (row.levels->way) {
+    case LevelsWay::kTwo:
+      return reduce_row(TwoLevels{row.levels}, row, in, strength, count, out);
+    case LevelsWay::kEven:
+      return reduce_row(EvenLevels{row.levels}, row, in, strength, count, out);
+    case LevelsWay::kFew:
+      return reduce_row(FewLevels{row.levels}, row, in, strength, count, out);
+    case LevelsWay::kBins:
+      return reduce_row(LevelsInBins{row.levels}, row, in, strength, count, out);
+    case LevelsWay::kSearch:
+      return scalar_ordered_kernels().grey(row, in, strength, count, out);
+  }
+}
+
+// In blocks of planes, which stay in the first cache: each channel may have a way of its own.
+void rgb(const OrderedRow (&rows)[3], const float* in, const float* strength, std::size_t count,
+         std::uint16_t* out) {
+  constexpr std::size_t kBlock = 512;
+  alignas(64) std::array<std::array<float, kBlock>, 3> light;
+  alignas(64) std::array<std::array<std::uint16_t, kBlock>, 3> code;
+  const Floats f;
+  const Codes c;
+  const std::size_t lanes = hn::Lanes(f);
+  OrderedRow at[3] = {rows[0], rows[1], rows[2]};
+  for (std::size_t x = 0; x < count; x += kBlock) {
+    const std::size_t size = std::min(kBlock, count - x);
+    std::size_t i = 0;
+    for (; i + lanes <= size; i += lanes) {
+      Float r, g, b;
+      hn::LoadInterleaved3(f, in + 3 * (x + i), r, g, b);
+      hn::Store(r, f, &light[0][i]);
+      hn::Store(g, f, &light[1][i]);
+      hn::Store(b, f, &light[2][i]);
+    }
+    for (; i < size; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) light[k][i] = in[3 * (x + i) + k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float* s = strength == nullptr ? nullptr : strength + x;
+      grey(at[k], light[k].data(), s, size, code[k].data());
+      at[k].column = (at[k].column + size) % at[k].period;
+    }
+    for (i = 0; i + lanes <= size; i += lanes) {
+      hn::StoreInterleaved3(hn::Load(c, &code[0][i]), hn::Load(c, &code[1][i]),
+                            hn::Load(c, &code[2][i]), c, out + 3 * (x + i));
+    }
+    for (; i < size; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) out[3 * (x + i) + k] = code[k][i];
+    }
+  }
+}
+
+OrderedKernels vector_kernels() { return {hwy::TargetName(HWY_TARGET), grey, rgb}; }
+
+#endif
+
+}  // namespace tristim::detail::ordered::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace tristim::detail {
+namespace ordered {
+namespace {
+
+HWY_EXPORT(vector_kernels);
+
+std::vector<OrderedKernels> kernels_of_this_processor() {
+  std::vector<OrderedKernels> all;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    if (target == HWY_SCALAR || target == HWY_EMU128) continue;  // ours is the definition
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
+    all.push_back(HWY_DYNAMIC_DISPATCH(vector_kernels)());
+#else
+    hwy::ChosenTarget chosen;  // of our own: the process-wide choice stays as it is
+    chosen.Update(target);
+    all.push_back(HWY_DISPATCH_TABLE(vector_kernels)[chosen.GetIndex()]());
+#endif
+    if (all.back().name == "AVX3") all.back().name = "avx512";
+  }
+  return all;
+}
+
+}  // namespace
+}  // namespace ordered
+
+std::span<const OrderedKernels> simd_ordered_kernels() {
+  static const std::vector<OrderedKernels> kernels = ordered::kernels_of_this_processor();
+  return kernels;
+}
+
+}  // namespace tristim::detail
+#endif
