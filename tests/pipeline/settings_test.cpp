@@ -26,6 +26,8 @@ const Example kExamples[] = {
      "'800*480' is no size; give WIDTHxHEIGHT in pixels, or one of them: 800x480, 800x, x480"},
     {"fit", "\"cover\"", "\"covr\"", "unknown fit 'covr'; did you mean cover?"},
     {"filter", "\"hermite\"", "\"hermit\"", "unknown filter 'hermit'; did you mean hermite?"},
+    {"cells", "\"2x3\"", "\"0\"",
+     "'0' is no cell; give a side of 1 to 256, or WIDTHxHEIGHT, in device pixels"},
     {"rotate", "90", "45", "'45' is no rotation; give 0, 90, 180 or 270 degrees clockwise"},
     {"background", "\"#ff8000\"", "\"redd\"", "'redd' is no colour; did you mean red?"},
     {"exposure", "-1.5", "nan",
