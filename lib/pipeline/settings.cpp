@@ -303,8 +303,10 @@ std::vector<Setting> make_settings() {
          return set_count("effort", v, kMostEffort,
                           [&](auto n) { s.dither_parameters.effort = static_cast<int>(n); });
        }},
-      {"palette", "device|" + list_names(kPaletteMethods, "|") + "[:N]",
-       "choose N colours for the picture, for indexed devices; default: device", set_palette},
+      {"palette", "device|METHOD[:N]",
+       "choose N colours for the picture, for indexed devices: " + list_names(kPaletteMethods) +
+           "; default: device",
+       set_palette},
       {"metric", list_names(kMetrics, "|"),
        "space in which the nearest colour is chosen; default: oklab, dithered oklab-toe",
        [](Settings& s, std::string_view v) {

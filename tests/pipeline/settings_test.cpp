@@ -40,7 +40,7 @@ const Example kExamples[] = {
      "unknown black point 'absolut'; did you mean absolute?"},
     {"dither", "\"bayer8\"", "\"byer8\"", "unknown dither 'byer8'; did you mean bayer8?"},
     {"serpentine", "true", "1", "'1' is no switch; give true or false"},
-    {"settled", "false", "no", "'no' is no switch; give true or false"},
+    {"settled", "false", "1", "'1' is no switch; give true or false"},
     {"jitter", "0.3", "1.5",
      "'1.5' is no jitter; give 0 for a fixed threshold to 1 for the step between levels"},
     {"strength", "0.5", "2",
