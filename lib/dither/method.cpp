@@ -13,6 +13,7 @@ const std::vector<NamedDither>& dither_methods() {
     };
     add(NoDither{});
     for (const MatrixRecipe& recipe : kMatrixRecipes) add(recipe);
+    for (const ScreenRecipe& recipe : kScreenRecipes) add(recipe);
     for (const DiffusionKernel& kernel : kDiffusionKernels) add(kernel);
     for (const WholePictureDither& dither : kWholePictureDithers) add(dither);
     return all;
@@ -44,6 +45,9 @@ std::vector<ThresholdMatrix> dither_matrices(const DitherMethod& method,
     refuse_frame(std::visit([](const auto& m) { return std::string(m.name); }, method));
   }
   if (const auto* own = std::get_if<ThresholdMatrix>(&method)) return {count, *own};
+  if (const auto* screen = std::get_if<ScreenRecipe>(&method)) {
+    return screen_matrices(*screen, parameters.screen, channels);
+  }
   const auto* recipe = std::get_if<MatrixRecipe>(&method);
   if (recipe == nullptr) return {};
   MatrixParameters of_channel{parameters.size, parameters.seed, 0, parameters.frame};

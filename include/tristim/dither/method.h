@@ -8,6 +8,7 @@
 
 #include "tristim/dither/kernel.h"
 #include "tristim/dither/levels.h"
+#include "tristim/dither/screen_recipe.h"
 #include "tristim/dither/threshold_matrix.h"
 #include "tristim/dither/whole_picture.h"
 
@@ -20,9 +21,9 @@ struct NoDither {
 };
 
 /// What stands between light and codes: nothing, a threshold matrix by recipe or the user's own, a
-/// diffusion kernel, or a method that needs the whole picture at once.
-using DitherMethod =
-    std::variant<NoDither, MatrixRecipe, ThresholdMatrix, DiffusionKernel, WholePictureDither>;
+/// screen, a diffusion kernel, or a method that needs the whole picture at once.
+using DitherMethod = std::variant<NoDither, MatrixRecipe, ThresholdMatrix, ScreenRecipe,
+                                  DiffusionKernel, WholePictureDither>;
 
 /// A dither method as the command line names it.
 struct NamedDither {
@@ -41,9 +42,10 @@ struct DitherParameters {
   bool settled = true;             // diffusion, see DiffusionOptions
   float strength = 1;              // 0: the nearest code, 1: the whole dither
   int effort = 0;                  // how long a method that searches does so; 0: its own
+  ScreenParameters screen;         // of screens
 };
 
-/// "none", every matrix, every kernel, every method for whole pictures.
+/// "none", every matrix, every screen, every kernel, every method for whole pictures.
 const std::vector<NamedDither>& dither_methods();
 
 /// How a kernel diffuses the errors of a channel when told so.
