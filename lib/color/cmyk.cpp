@@ -9,7 +9,13 @@ double black_of(Cmy cmy, const BlackGeneration& black) noexcept {
   return black.replacement * std::min({cmy.c, cmy.m, cmy.y});
 }
 
-Cmyk limited(Cmyk ink, double limit) noexcept {
+}  // namespace
+
+Cmy rgb_to_cmy(EncodedRgb rgb) noexcept { return {1 - rgb.r, 1 - rgb.g, 1 - rgb.b}; }
+
+EncodedRgb cmy_to_rgb(Cmy cmy) noexcept { return {1 - cmy.c, 1 - cmy.m, 1 - cmy.y}; }
+
+Cmyk limit_ink(Cmyk ink, double limit) noexcept {
   const double sum = ink.c + ink.m + ink.y;
   if (!(sum + ink.k > limit)) return ink;
   const double k = std::min(ink.k, limit);
@@ -17,15 +23,9 @@ Cmyk limited(Cmyk ink, double limit) noexcept {
   return {ink.c * scale, ink.m * scale, ink.y * scale, k};
 }
 
-}  // namespace
-
-Cmy rgb_to_cmy(EncodedRgb rgb) noexcept { return {1 - rgb.r, 1 - rgb.g, 1 - rgb.b}; }
-
-EncodedRgb cmy_to_rgb(Cmy cmy) noexcept { return {1 - cmy.c, 1 - cmy.m, 1 - cmy.y}; }
-
 Cmyk cmy_to_cmyk_subtract(Cmy cmy, const BlackGeneration& black) noexcept {
   const double k = black_of(cmy, black);
-  return limited({cmy.c - k, cmy.m - k, cmy.y - k, k}, black.limit);
+  return limit_ink({cmy.c - k, cmy.m - k, cmy.y - k, k}, black.limit);
 }
 
 Cmy cmyk_subtract_to_cmy(Cmyk cmyk) noexcept {
@@ -36,7 +36,7 @@ Cmyk cmy_to_cmyk_normalised(Cmy cmy, const BlackGeneration& black) noexcept {
   const double k = black_of(cmy, black);
   const double rest = 1 - k;
   const auto cover = [&](double ink) { return rest == 0 ? 0 * (ink - k) : (ink - k) / rest; };
-  return limited({cover(cmy.c), cover(cmy.m), cover(cmy.y), k}, black.limit);
+  return limit_ink({cover(cmy.c), cover(cmy.m), cover(cmy.y), k}, black.limit);
 }
 
 Cmy cmyk_normalised_to_cmy(Cmyk cmyk) noexcept {

@@ -121,7 +121,7 @@ gain = 0.2
   EXPECT_EQ(display.levels->spacing->name, "gamma");
   EXPECT_EQ(display.dots->dpi, 300);
   EXPECT_FALSE(display.dots->isolated);
-  EXPECT_EQ(display.dots->gain, 0.2);
+  EXPECT_EQ(std::get<MurrayDaviesGain>(display.dots->gain).at_half, 0.2);
 }
 
 TEST(ParseDisplay, TakesEveryResponse) {

@@ -26,10 +26,13 @@ struct BlackGeneration {
   double limit = 4;        ///< of C + M + Y + K: 3 is 300 %
 };
 
+/// C, M and Y scaled so that all inks add up to no more than `limit`, after K has been cut to it.
+Cmyk limit_ink(Cmyk ink, double limit) noexcept;
+
 /// CMY to CMYK by subtraction: K = r min(C, M, Y), C - K, M - K, Y - K [Shoaff 2.2.5].
 ///
-/// Where the inks add up to more than the limit, C, M and Y are scaled until they fit, after K has
-/// been cut to it; such a colour does not come back.
+/// Where the inks add up to more than the limit they are scaled as by limit_ink; such a colour does
+/// not come back.
 Cmyk cmy_to_cmyk_subtract(Cmy cmy, const BlackGeneration& black = {}) noexcept;
 
 /// The inverse of cmy_to_cmyk_subtract, whatever the replacement was: C + K, M + K, Y + K.

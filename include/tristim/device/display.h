@@ -9,7 +9,9 @@
 #include "tristim/color/primaries.h"
 #include "tristim/color/rgb.h"
 #include "tristim/color/xyz.h"
+#include "tristim/device/dot_gain.h"
 #include "tristim/device/levels.h"
+#include "tristim/device/press.h"
 #include "tristim/device/response.h"
 #include "tristim/frame/layout.h"
 
@@ -41,7 +43,8 @@ struct PanelSize {
 struct Dots {
   double dpi = 0;        // dots an inch; 0: not known
   bool isolated = true;  // whether a single dot holds by itself
-  double gain = 0;  // Murray-Davies gain at half tone: 0.2 where 50 % of dots cover 70 % [Murray36]
+  double lpi = 0;        // ruling of its screens; 0: usual_lpi of its resolution
+  DotGain gain;
 };
 
 /// A display, panel or printer: everything that decides which code a colour becomes.
@@ -61,6 +64,8 @@ struct Display {
   Response response = SrgbResponse{};
   std::optional<LevelTable> levels;  // codes are these intensity levels
   std::optional<Dots> dots;
+  std::optional<Press>
+      press;  // of several inks: codes are those of Press, the palette their overprints
 };
 
 /// Whether the codes carry no colour: one grey channel, with a palette or without.
