@@ -10,8 +10,8 @@ void run_spectrum(Arguments arguments);
 void run_gamut(Arguments arguments);
 void run_compare(Arguments arguments);
 void run_palette(Arguments arguments);
-void run_levels(Arguments arguments);
 void run_halftone(Arguments arguments);
+void run_levels(Arguments arguments);
 void run_device(Arguments arguments);
 void run_info(Arguments arguments);
 void run_shade(Arguments arguments);
@@ -31,8 +31,8 @@ inline constexpr Command kCommands[] = {
     {"palette", "show|convert|check ... [options]", "show, convert and check palettes",
      run_palette},
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
-    {"halftone", "matrix|patterns|judge|levels|cells ... [options]",
-     "threshold matrices, patterns and cells, made and judged", run_halftone},
+    {"halftone", "matrix|patterns|judge|levels|cells|screen ... [options]",
+     "threshold matrices, patterns, cells and screens, made and judged", run_halftone},
     {"device", "list|show|check [D...] [options]", "list, show and check devices", run_device},
     {"info", "FILE... [options]", "what a picture file is", run_info},
     {"shade", "MODEL [IN [OUT]] [options]", "illumination models, evaluated row by row", run_shade},

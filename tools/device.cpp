@@ -94,7 +94,9 @@ Json display_json(const std::string& id, const Display& display) {
   if (display.dots) {
     json["dpi"] = display.dots->dpi;
     json["isolated_dots"] = display.dots->isolated;
-    json["dot_gain"] = display.dots->gain;
+    if (display.dots->lpi > 0) json["lpi"] = display.dots->lpi;
+    const std::string gain = describe(display.dots->gain);
+    json["dot_gain"] = gain.empty() ? "none" : gain;
   }
   if (!display.palette.empty()) json["palette"] = palette_json(display);
   return json;

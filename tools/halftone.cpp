@@ -35,7 +35,8 @@ std::string help() {
          "\ntristim halftone <job> --help tells the options of a job.\n\nExamples:\n"
          "  tristim halftone matrix d3\n"
          "  tristim halftone patterns d2 -o d2.svg\n"
-         "  tristim halftone judge clustered8\n";
+         "  tristim halftone judge clustered8\n"
+         "  tristim halftone screen --dpi 600 --lpi 85\n";
 }
 
 // A file's name has a folder or an extension, or the file is there.

@@ -13,6 +13,7 @@ void run_halftone_patterns(Arguments arguments);
 void run_halftone_judge(Arguments arguments);
 void run_halftone_levels(Arguments arguments);
 void run_halftone_cells(Arguments arguments);
+void run_halftone_screen(Arguments arguments);
 
 /// What `tristim halftone` does. The command and its help read this list.
 inline constexpr Command kHalftoneJobs[] = {
@@ -26,6 +27,8 @@ inline constexpr Command kHalftoneJobs[] = {
      "how many levels and colours cells of a device make, and which", run_halftone_levels},
     {"halftone cells", "IN -o OUT [options]",
      "a picture with a cell of device pixels for each pixel", run_halftone_cells},
+    {"halftone screen", "[options]",
+     "what dots make of a ruling and an angle: cells, levels, moire", run_halftone_screen},
 };
 
 /// The job of kHalftoneJobs called `name`, without "halftone "; nullptr where there is none.

@@ -3,6 +3,7 @@
 #include "tools/commands.h"
 #include "tools/outputs.h"
 #include "tools/process_job.h"
+#include "tools/spot_picture.h"
 #include "tristim/core/error.h"
 #include "tristim/core/find.h"
 #include "tristim/device/display_file.h"
@@ -17,6 +18,8 @@ constexpr std::string_view kExamples =
     "  tristim process spheres.exr --device srgb -o monitor.png\n"
     "  tristim process spheres.exr --device epaper-4grey -o panel.raw --proof panel.png\n"
     "  tristim process spheres.exr --device laser-300 --size 1200x -o page.png\n"
+    "  tristim process spheres.exr --device laser-300 --dither screen --lpi 50 --angle 30 -o "
+    "s.tif\n"
     "  tristim process spheres.exr --device vga16 --tone-map reinhard:8 --explain -o vga.h\n"
     "  tristim process *.exr --device srgb --exposure -1 -o '{stem}-%04d.png'\n";
 
@@ -138,7 +141,8 @@ void check_proofs(const std::vector<Job>& jobs) {
   }
 }
 
-std::vector<Job> jobs_of(const ProcessOptions& options, const std::string& pipeline) {
+std::vector<Job> jobs_of(const ProcessOptions& options, const Display& device,
+                         const std::string& pipeline) {
   refuse_missing_inputs(options.inputs);
   std::vector<std::string> outputs = output_names(options.output, options.inputs, "--output");
   std::vector<Job> jobs;
@@ -147,6 +151,12 @@ std::vector<Job> jobs_of(const ProcessOptions& options, const std::string& pipel
     job.input = options.inputs[i];
     job.output = outputs[i];
     jobs.push_back(std::move(job));
+  }
+  outputs.clear();
+  for (const Job& job : jobs) {
+    for (std::string& file : output_files(options, device, job.output)) {
+      outputs.push_back(std::move(file));
+    }
   }
   if (!options.proof.empty()) {
     const std::vector<std::string> proofs = output_names(options.proof, options.inputs, "--proof");
@@ -179,8 +189,13 @@ void run_process(Arguments arguments) {
   if (!pipeline.empty()) read_pipeline_file(pipeline, options.settings);
   apply_settings(options.settings, given);
   read_own_matrix(options.settings);
+  Settings& settings = options.settings;
+  if (!settings.spot_picture.empty()) {
+    settings.dither_parameters.screen.spot = read_spot_picture(settings.spot_picture);
+  }
   const Display device = load_display(options.device);
-  for (Job& job : jobs_of(options, pipeline)) process_picture(options, device, std::move(job));
+  for (Job& job : jobs_of(options, device, pipeline))
+    process_picture(options, device, std::move(job));
 }
 
 }  // namespace tristim::tools

@@ -13,6 +13,7 @@
 #include "tristim/core/error.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
+#include "tristim/frame/io/separations.h"
 #include "tristim/frame/io/write.h"
 #include "tristim/image/io/exr.h"
 #include "tristim/image/io/read.h"
@@ -82,6 +83,12 @@ std::unique_ptr<RowSource> open_dither_mask(const ProcessOptions& options, const
   return mask;
 }
 
+std::vector<std::string> ink_names(const Press& press) {
+  std::vector<std::string> names;
+  for (const Ink& ink : press.inks) names.push_back(ink.name);
+  return names;
+}
+
 std::unique_ptr<CodeSink> open_sink(const ProcessOptions& options, const std::string& output,
                                     const Display& display, const PictureInfo& picture) {
   if (is_exr(options, output)) {
@@ -92,11 +99,15 @@ std::unique_ptr<CodeSink> open_sink(const ProcessOptions& options, const std::st
     return decoding_sink(display, open_exr_sink(output, info, {.replace = options.force}));
   }
   const bool unnamed = options.format.empty() && is_stream(output);
-  return open_code_sink(output, frame_info(display, picture.width, picture.height),
-                        {.format = unnamed ? "png" : options.format,
-                         .replace = options.force,
-                         .threads = options.threads,
-                         .png_level = options.png_level});
+  const FrameWriteOptions how{.format = unnamed ? "png" : options.format,
+                              .replace = options.force,
+                              .threads = options.threads,
+                              .png_level = options.png_level};
+  const FrameInfo info = frame_info(display, picture.width, picture.height);
+  if (display.press && is_separated(output, how)) {
+    return open_separations(output, info, ink_names(*display.press), how);
+  }
+  return open_code_sink(output, info, how);
 }
 
 std::unique_ptr<CodeSink> open_proof(const ProcessOptions& options, const std::string& path,
@@ -122,6 +133,12 @@ void check_format_name(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<std::string> output_files(const ProcessOptions& options, const Display& device,
+                                      const std::string& output) {
+  if (!device.press || !is_separated(output, {.format = options.format})) return {output};
+  return separation_paths(output, ink_names(*device.press));
+}
 
 void check_format(const ProcessOptions& options, const std::string& output) {
   if (!options.format.empty()) return check_format_name(options.format);

@@ -35,6 +35,10 @@ struct Job {
 void check_format(const ProcessOptions& options, const std::string& output);
 void check_proof_format(const std::string& proof);
 
+/// The files that an output becomes: itself, or one for each ink of a press.
+std::vector<std::string> output_files(const ProcessOptions& options, const Display& device,
+                                      const std::string& output);
+
 /// Reads one picture, writes its output and proof, and prints what was asked for. Throws Error.
 void process_picture(const ProcessOptions& options, const Display& device, Job job);
 

@@ -75,12 +75,29 @@ StageList stage_list(const PictureInfo& picture, const Display& display, const S
   return list;
 }
 
+ScreenParameters screen_parameters(const Display& display, const ScreenParameters& asked) {
+  ScreenParameters screen = asked;
+  if (display.dots && screen.dpi == 0) screen.dpi = display.dots->dpi;
+  if (display.dots && screen.lpi == 0) screen.lpi = display.dots->lpi;
+  if (display.press && screen.angles_deg.empty()) {
+    screen.angles_deg = display.press->angles_deg;
+  }
+  return screen;
+}
+
 ReduceOptions reduce_options(const Display& display, const Settings& settings) {
-  const NamedDither& dither = settings.dither ? *settings.dither : default_dither(display);
+  const ScreenParameters& asked = settings.dither_parameters.screen;
+  const bool screened = asked.lpi > 0 || !asked.angles_deg.empty() || asked.spot ||
+                        asked.smallest_dot > 0 || asked.single_cell;
+  const NamedDither& usual_dither =
+      screened ? *find_by_name(dither_methods(), "screen") : default_dither(display);
+  const NamedDither& dither = settings.dither ? *settings.dither : usual_dither;
   const bool dithered = !std::holds_alternative<NoDither>(dither.method);
   const Metric* usual = find_by_name(kMetrics, dithered ? "oklab-toe" : "oklab");
   DitherParameters parameters = settings.dither_parameters;
-  if (!parameters.serpentine && display.frame.packing.indexed) parameters.serpentine = true;
+  if (!parameters.serpentine && display.frame.packing.indexed && !display.press)
+    parameters.serpentine = true;
+  parameters.screen = screen_parameters(display, asked);
   return {.dither = dither.method,
           .parameters = parameters,
           .metric = settings.metric != nullptr ? *settings.metric : *usual,
@@ -102,6 +119,7 @@ Histogram histogram(RowSource& picture, const StageList& stages, const Display& 
 Display with_palette(Display display, const std::vector<Color8>& palette) {
   const Eigen::Matrix3d matrix = xyz_from_rgb(display.primaries);
   display.palette.clear();
+  display.press.reset();
   display.palette_has_white = false;
   display.viewing_white = display.primaries.white;
   for (const Color8& c : palette) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lib/color/curve_table.h"
+#include "lib/pipeline/ink_planes.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
 #include "tristim/dither/ordered.h"
@@ -86,13 +87,8 @@ ChannelReducer channel_reducer(const LevelScale& scale, const ReduceOptions& opt
   return LevelDiffusion(levels, width, diffusion_options(kernel, options.parameters, channel));
 }
 
-// Coverage of dots that looks like an asked tone where dots gain [Murray36]: the parabola a + 4 g a
-// (1 - a), solved for a.
-float tone_before_gain(float tone, float gain) {
-  const float ink = 1 - std::clamp(tone, 0.0F, 1.0F);
-  const float b = 1 + 4 * gain;
-  return 1 - (b - std::sqrt(b * b - 16 * gain * ink)) / (8 * gain);
-}
+// An ink lies on a dot (1) or leaves the paper bare.
+LevelScale ink_scale() { return {{0, 1}, {1, 0}, {0.5F}, {1, 0}}; }
 
 std::string dither_name(const DitherMethod& method) {
   return std::visit([](const auto& m) { return std::string(m.name); }, method);
@@ -100,6 +96,26 @@ std::string dither_name(const DitherMethod& method) {
 
 std::string dither_source(const DitherMethod& method) {
   return std::visit([](const auto& m) { return std::string(m.source); }, method);
+}
+
+void add_gain(const Dots& dots, StepReport& step) {
+  const std::string gain = describe(dots.gain);
+  if (!gain.empty()) step.numbers.emplace_back("dot gain", gain);
+}
+
+StepReport press_step(const Display& display) {
+  const Press& press = *display.press;
+  StepReport step{"inks", "light = product of 1 - area (1 - ink)", "[Neugebauer37]", {}};
+  step.numbers.emplace_back("inks", list_names(press.inks));
+  for (const NamedSeparation& separation : kSeparations) {
+    if (separation.rule == press.rule) {
+      step.numbers.emplace_back("separation", std::string(separation.name));
+    }
+  }
+  step.numbers.emplace_back("black", shortest(press.black.replacement));
+  step.numbers.emplace_back("ink limit", shortest(press.black.limit));
+  if (display.dots) add_gain(*display.dots, step);
+  return step;
 }
 
 // The strength of a row's pixels: the mask's, times that of the whole; empty where the dither is
@@ -124,6 +140,7 @@ const NamedDither& default_dither(const Display& display) {
                              : packing.bits[0];
   const char* name = least_bits == 1 && !packing.indexed ? "blue-diffusion" : "floyd-steinberg";
   if (!holds_dots) name = "clustered8";
+  if (display.press) name = "screen";
   if (least_bits >= 8 && !packing.indexed && display.palette.empty()) name = "none";
   return *find_by_name(dither_methods(), name);
 }
@@ -139,9 +156,11 @@ struct Reducer::State {
   std::optional<PaletteDiffusion> diffusion;
   Eigen::RowVector3f luminance;
   Eigen::Matrix3f srgb_from_device;
-  float gain = 0;
+  std::optional<detail::InkPlanes> inks;  // of a press: channels are inks
+  detail::ToneBeforeGain tone_before_gain;
 
-  State(const Display& d, const ReduceOptions& o) : display(d), options(o) {}
+  State(const Display& d, const ReduceOptions& o)
+      : display(d), options(o), tone_before_gain(d.dots ? d.dots->gain : NoGain{}) {}
 
   void set_up_palette(int width);
   void reduce_palette_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
@@ -151,6 +170,9 @@ struct Reducer::State {
                       ChannelRow<std::uint16_t> out, std::span<const float> strength);
   void reduce_ordered_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
                           std::span<const float> strength);
+  void add_channel(const LevelScale& scale, int width);
+  void reduce_inks_row(std::span<const float> rgb, int y, std::span<std::uint16_t> out,
+                       std::span<const float> strength);
   void reduce_row(const Band& band, int row, std::span<std::uint16_t> out);
   void reduce_whole(const Band& band, ImageView<std::uint16_t> codes);
   bool dithered() const noexcept { return !std::holds_alternative<NoDither>(options.dither); }
@@ -202,13 +224,19 @@ void Reducer::State::reduce_channel(std::size_t channel, ChannelRow<float> in, i
   std::get<LevelDiffusion>(reducer).row(light, out, strength);
 }
 
+void Reducer::State::add_channel(const LevelScale& scale, int width) {
+  const ThresholdMatrix* matrix = matrices.empty() ? nullptr : &matrices[channels.size()];
+  const auto channel = static_cast<int>(channels.size());
+  channels.push_back(channel_reducer(scale, options, matrix, channel, width));
+}
+
 // The luminances of a row, in its first third; what dots gain is taken off.
 std::span<float> Reducer::State::grey_row(std::span<float> rgb) const {
   const std::span<float> grey = rgb.first(rgb.size() / 3);
   for (std::size_t x = 0; x < grey.size(); ++x) {  // x never overtakes 3 x
     const float* p = &rgb[3 * x];
     const float tone = luminance[0] * p[0] + luminance[1] * p[1] + luminance[2] * p[2];
-    grey[x] = gain > 0 && dithered() ? tone_before_gain(tone, gain) : tone;
+    grey[x] = dithered() ? tone_before_gain(tone) : tone;
   }
   return grey;
 }
@@ -225,10 +253,29 @@ void Reducer::State::reduce_ordered_row(std::span<float> rgb, int y, std::span<s
   OrderedDither::rgb_row(dithers, rgb, y, out, strength);
 }
 
+// Bit i of a code is ink i.
+void Reducer::State::reduce_inks_row(std::span<const float> rgb, int y,
+                                     std::span<std::uint16_t> out,
+                                     std::span<const float> strength) {
+  const std::size_t width = out.size();
+  std::vector<float> planes(width * channels.size());
+  std::vector<std::uint16_t> inked(width);
+  inks->row(rgb, planes);
+  std::ranges::fill(out, std::uint16_t{0});
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    reduce_channel(i, {planes.data() + i * width, static_cast<int>(width), 1}, y,
+                   {inked.data(), static_cast<int>(width), 1}, strength);
+    for (std::size_t x = 0; x < width; ++x) {
+      out[x] = static_cast<std::uint16_t>(out[x] | inked[x] << i);
+    }
+  }
+}
+
 void Reducer::State::reduce_row(const Band& band, int row, std::span<std::uint16_t> out) {
   const int y = band.y0 + row;
   const std::vector<float> strength = row_strength(band, row, options.parameters.strength);
   const std::span<float> rgb = band.view.row(row);
+  if (inks) return reduce_inks_row(rgb, y, out, strength);
   if (palette) return reduce_palette_row(rgb, y, out, strength);
   const int width = band.view.width;
   if (samples == 1) {
@@ -278,8 +325,17 @@ Reducer::Reducer(const Display& display, const ReduceOptions& options, int width
   const Packing& packing = s.display.frame.packing;
   s.samples = packing.samples;
   s.luminance = xyz_from_rgb(s.display.primaries).row(1).cast<float>();
-  s.gain = s.display.dots ? static_cast<float>(s.display.dots->gain) : 0;
-  s.matrices = dither_matrices(s.options.dither, s.options.parameters, packing.samples);
+  const std::size_t count =
+      s.display.press ? s.display.press->inks.size() : static_cast<std::size_t>(packing.samples);
+  s.matrices = dither_matrices(s.options.dither, s.options.parameters, static_cast<int>(count));
+  if (s.display.press) {
+    if (whole_picture()) {
+      throw std::invalid_argument("dither: a method for whole pictures takes no press");
+    }
+    s.inks.emplace(s.display, s.options.black_point);
+    for (std::size_t i = 0; i < count; ++i) s.add_channel(ink_scale(), width);
+    return;
+  }
   if (packing.indexed) {
     if (s.display.palette.empty()) {
       throw std::invalid_argument("display: an indexed packing needs a palette");
@@ -297,9 +353,7 @@ Reducer::Reducer(const Display& display, const ReduceOptions& options, int width
                                  ? level_scale(s.display, packing.bits[static_cast<std::size_t>(c)],
                                                s.options.black_point)
                                  : palette_scale(s.display, s.options);
-    const auto channel = static_cast<std::size_t>(c);
-    const ThresholdMatrix* matrix = s.matrices.empty() ? nullptr : &s.matrices[channel];
-    s.channels.push_back(channel_reducer(scale, s.options, matrix, c, width));
+    s.add_channel(scale, width);
     s.scales.push_back(scale);
   }
 }
@@ -331,7 +385,9 @@ std::vector<StepReport> Reducer::explain() const {
                             : "picture light is the device's light: below its black it is lost",
                    "",
                    {}});
-  if (s.palette) {
+  if (s.display.press) {
+    steps.push_back(press_step(s.display));
+  } else if (s.palette) {
     StepReport palette{"palette", "the nearest entry", std::string(s.options.metric.source), {}};
     palette.numbers.emplace_back("entries", std::to_string(s.palette->size()));
     palette.numbers.emplace_back("metric", std::string(s.options.metric.name));
@@ -358,7 +414,7 @@ std::vector<StepReport> Reducer::explain() const {
                                                           " at light " +
                                                           rounded(scale.light.back(), 8));
     }
-    if (s.gain > 0) response.numbers.emplace_back("dot gain", shortest(s.display.dots->gain));
+    if (s.display.dots) add_gain(*s.display.dots, response);
     steps.push_back(std::move(response));
   }
   StepReport dither{

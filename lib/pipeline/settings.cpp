@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/core/toml.h"
+#include "lib/pipeline/screen_settings.h"
 #include "tristim/color/parse.h"
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
@@ -322,7 +323,11 @@ std::vector<Setting> make_settings() {
 }  // namespace
 
 std::span<const Setting> settings_list() {
-  static const std::vector<Setting> list = make_settings();
+  static const std::vector<Setting> list = [] {
+    std::vector<Setting> all = make_settings();
+    for (Setting& setting : detail::screen_settings()) all.push_back(std::move(setting));
+    return all;
+  }();
   return list;
 }
 

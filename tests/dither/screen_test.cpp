@@ -11,7 +11,7 @@
 #include "tests/error_text.h"
 #include "tristim/color/lab.h"
 #include "tristim/color/transfer.h"
-#include "tristim/dither/levels.h"
+#include "tristim/dither/ordered.h"
 #include "tristim/dither/screen_recipe.h"
 
 namespace tristim {

@@ -172,7 +172,7 @@ TEST(Reducer, ChoosesGreysOfAPaletteInTheMetric) {
 TEST(Reducer, PrintsFewerDotsWhereTheyGain) {
   Display display = with_packing("mono1");
   display.response = LinearResponse{};
-  display.dots = Dots{.gain = 0.2};
+  display.dots = Dots{.gain = MurrayDaviesGain{0.2}};
   const Codes codes =
       reduced(display, {.dither = method("bayer16")}, flat_picture(64, 64, 0.3F, 0.3F, 0.3F));
   EXPECT_NEAR(share_of(codes, 1), 0.5, 1 / 256.0);

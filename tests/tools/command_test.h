@@ -18,8 +18,9 @@
 
 namespace tristim {
 
-inline constexpr const char* kDevices[] = {
-    "crt-p22", "epaper-4grey", "epaper-7color", "laser-300", "lcd-rgb565", "srgb", "vga16"};
+inline constexpr const char* kDevices[] = {"crt-p22",   "epaper-4grey", "epaper-7color",
+                                           "laser-300", "lcd-rgb565",   "offset-cmyk",
+                                           "srgb",      "vga16"};
 
 /// Arguments of a command: a text is words separated by single blanks, a list is as it stands.
 struct Words : std::vector<std::string> {

@@ -82,7 +82,7 @@ TEST_F(Device, TellsWhatDoesNotGoTogether) {
   refuses("device lst", 2, "device: unknown action 'lst'; did you mean list?");
   refuses("device show", 2,
           "device show: no device is named; give one of crt-p22, epaper-4grey, epaper-7color, "
-          "laser-300, lcd-rgb565, srgb, vga16, or a file");
+          "laser-300, lcd-rgb565, offset-cmyk, srgb, vga16, or a file");
   refuses("device list srgb", 2,
           "srgb: is one argument too many; use: tristim device list, or tristim device show srgb");
   refuses("device list --toml", 2,

@@ -18,7 +18,7 @@ TEST_F(ProcessOptions, NeedsPicturesAndADevice) {
           "process: IN is missing; use: tristim process IN... -o OUT --device D [options]");
   refuses("process s.exr -o o.png", 2,
           "--device: is missing; give one of crt-p22, epaper-4grey, epaper-7color, laser-300, "
-          "lcd-rgb565, srgb, vga16, or a file");
+          "lcd-rgb565, offset-cmyk, srgb, vga16, or a file");
 }
 
 TEST_F(ProcessOptions, HintsAtTheNearestDevice) {

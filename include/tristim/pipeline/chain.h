@@ -24,6 +24,10 @@ struct StageList {
 };
 StageList stage_list(const PictureInfo& picture, const Display& display, const Settings& settings);
 
+/// `asked`, with what it leaves open taken from the device: resolution, ruling, the angles of a
+/// press.
+ScreenParameters screen_parameters(const Display& display, const ScreenParameters& asked);
+
 /// What the reducer needs of the settings. The metric and the rest of `settings` outlive nothing:
 /// they are copied.
 ReduceOptions reduce_options(const Display& display, const Settings& settings);

@@ -40,6 +40,7 @@ struct Settings {
   std::string dither_file;            // of a matrix, for the caller to read into `dither`
   DitherParameters dither_parameters;
   std::string dither_mask;              // a picture of the dither's strength; empty: none
+  std::string spot_picture;             // of a screen's cell, for the caller to read; empty: none
   int cell_width = 1, cell_height = 1;  // device pixels for each of the picture's [Shoaff 2.1.2]
   PaletteChoice palette;
   const Metric* metric = nullptr;  // nullptr: oklab, and oklab-toe where the palette is dithered
