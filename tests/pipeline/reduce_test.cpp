@@ -42,9 +42,9 @@ double share_of(const Codes& codes, std::uint16_t code) {
   return static_cast<double>(std::ranges::count(codes, code)) / static_cast<double>(codes.size());
 }
 
-TEST(DitherMethods, AreNoneAllMatricesAndAllKernels) {
-  EXPECT_EQ(dither_methods().size(),
-            1 + kMatrixRecipes.size() + kDiffusionKernels.size() + kWholePictureDithers.size());
+TEST(DitherMethods, AreNoneAndAllOfEveryKind) {
+  EXPECT_EQ(dither_methods().size(), 1 + kMatrixRecipes.size() + kScreenRecipes.size() +
+                                         kDiffusionKernels.size() + kWholePictureDithers.size());
   EXPECT_EQ(dither_methods()[0].name, "none");
   for (const MatrixRecipe& m : kMatrixRecipes) EXPECT_TRUE(find_by_name(dither_methods(), m.name));
 }
@@ -57,6 +57,7 @@ TEST(DefaultDither, SuitsTheDevice) {
   EXPECT_EQ(name("epaper-4grey"), "floyd-steinberg");
   EXPECT_EQ(name("vga16"), "floyd-steinberg");
   EXPECT_EQ(name("laser-300"), "clustered8");
+  EXPECT_EQ(name("offset-cmyk"), "screen");
 }
 
 // Chosen in perception, mixed in light, on every kind of 1-bit device.
