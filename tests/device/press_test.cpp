@@ -73,9 +73,9 @@ TEST(Separation, PrintsWhatItsInksHaveMixed) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> area(0, 1);
   Press press = offset();
-  press.black.limit = 4;
+  press.black = {0, 4};
   for (int i = 0; i < 500; ++i) {
-    const Areas mixed{area(random), area(random), area(random), 0.3 * area(random)};
+    const Areas mixed{area(random), area(random), area(random), 0};
     const Rgb seen = printed_light(press.inks, mixed);
     const Rgb black = darkest_print(press);
     const Rgb light{(seen.r - black.r) / (1 - black.r), (seen.g - black.g) / (1 - black.g),

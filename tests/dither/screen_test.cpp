@@ -197,7 +197,7 @@ TEST(Screen, SaysWhichRulingsArePossible) {
             "invalid: screen: an angle of nan degrees, expected a number");
   EXPECT_EQ(
       error_text([] { screen_matrix({.dpi = 600, .lpi = 100, .smallest_dot = 10}); }),
-      "invalid: screen: a smallest dot of 10 device dots, expected 1 to 9, a quarter of a cell");
+      "invalid: screen: a smallest dot of 10 device dots, expected 1 to 8, a quarter of a cell");
   EXPECT_EQ(error_text([] {
               screen_matrices(kScreenRecipes[0], {.angles_deg = {1, 2}}, 3);
             }),

@@ -58,7 +58,8 @@ class Separation {
 
   /// Picture light, linear RGB in [0, 1] of the device's primaries, to the area that each ink shall
   /// seem to cover, [0, 1]. With `relative_black` picture black is the darkest print, else the
-  /// absence of light. Colours that the inks cannot mix get the nearest areas in range.
+  /// absence of light. Colours beyond what the inks mix with that share of black get areas in
+  /// range, not the nearest colour.
   void areas(const Rgb& light, std::span<double> inks) const noexcept;
 
  private:
