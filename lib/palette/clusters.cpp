@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tristim::detail {
 namespace {
@@ -63,53 +64,75 @@ std::vector<PlaceGroup> groups_by(const Places& means, std::span<const PlaceGrou
   return groups;
 }
 
+// Entries in planes with their numbers in the palette.
+struct Entries {
+  std::array<std::vector<float>, 4> axis;
+  std::vector<std::uint32_t> number;
+  std::size_t size = 0;
+
+  explicit Entries(std::size_t most) : number(most) {
+    for (auto& plane : axis) plane.resize(most);
+  }
+  PlacePlanes planes() const noexcept {
+    return {{axis[0].data(), axis[1].data(), axis[2].data(), axis[3].data()}, size};
+  }
+};
+
 // Walks down the groups with the entries that can be nearest to one of their places.
 class GroupSearch {
  public:
-  GroupSearch(const GroupedPlaces& places, int axes, Nearest& result)
-      : places_(places), axes_(axes), result_(result), search_(place_search()) {}
+  GroupSearch(const GroupedPlaces& places, const Places& entries, Nearest& result)
+      : places_(places),
+        axes_(std::max(places.places.axes, entries.axes)),
+        result_(result),
+        search_(place_search()),
+        distance2_(entries.size()),
+        among_(places.levels.size() + 1, Entries(entries.size())) {
+    among_[0].axis = entries.axis;
+    among_[0].size = entries.size();
+    for (std::uint32_t k = 0; k < entries.size(); ++k) among_[0].number[k] = k;
+  }
 
-  struct Entries {
-    Places places;
-    std::vector<std::uint32_t> number;
-  };
-
-  void run(const Entries& all) {
-    for (const PlaceGroup& group : places_.levels.front()) descend(group, 0, all);
+  void run() {
+    for (const PlaceGroup& group : places_.levels.front()) descend(group, 0);
   }
 
  private:
   // An entry that is nearest to a place of the group is at most two radii farther from its mean
   // than the one that is nearest to that; a little more for rounding.
-  Entries near(const PlaceGroup& group, const Entries& among) {
-    distance2_.resize(among.number.size());
-    float least = distance2(among.places.at(0), group.mean);
-    for (std::size_t k = 0; k < distance2_.size(); ++k) {
-      distance2_[k] = distance2(among.places.at(k), group.mean);
-      least = std::min(least, distance2_[k]);
+  void keep_near(const PlaceGroup& group, const Entries& among, Entries& kept) {
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < among.size; ++k) {
+      float sum = 0;
+      for (std::size_t a = 0; a < 4; ++a) {
+        const float d = among.axis[a][k] - group.mean[a];
+        sum += d * d;
+      }
+      distance2_[k] = sum;
+      least = std::min(least, sum);
     }
     const float reach = (std::sqrt(least) + 2 * group.radius) * (1 + 1e-5F) + 1e-6F;
-    Entries found;
-    for (std::size_t k = 0; k < distance2_.size(); ++k) {
+    kept.size = 0;
+    for (std::size_t k = 0; k < among.size; ++k) {
       if (distance2_[k] > reach * reach) continue;
-      found.places.push_back(among.places.at(k), 0);
-      found.number.push_back(among.number[k]);
+      for (std::size_t a = 0; a < 4; ++a) kept.axis[a][kept.size] = among.axis[a][k];
+      kept.number[kept.size++] = among.number[k];
     }
-    return found;
   }
 
-  void descend(const PlaceGroup& group, std::size_t level, const Entries& among) {
-    const Entries entries = near(group, among);
+  void descend(const PlaceGroup& group, std::size_t level) {
+    Entries& kept = among_[level + 1];
+    keep_near(group, among_[level], kept);
     if (level + 1 < places_.levels.size()) {
       for (std::uint32_t g = group.first; g < group.end; ++g) {
-        descend(places_.levels[level + 1][g], level + 1, entries);
+        descend(places_.levels[level + 1][g], level + 1);
       }
       return;
     }
     std::uint32_t* const index = result_.index.data() + group.first;
-    search_.nearest(planes_of(entries.places), planes_of(places_.places, group.first, group.end),
-                    axes_, index, result_.distance2.data() + group.first);
-    for (std::uint32_t i = 0; i < group.end - group.first; ++i) index[i] = entries.number[index[i]];
+    search_.nearest(kept.planes(), planes_of(places_.places, group.first, group.end), axes_, index,
+                    result_.distance2.data() + group.first);
+    for (std::uint32_t i = 0; i < group.end - group.first; ++i) index[i] = kept.number[index[i]];
   }
 
   const GroupedPlaces& places_;
@@ -117,6 +140,7 @@ class GroupSearch {
   Nearest& result_;
   PlaceSearch search_;
   std::vector<float> distance2_;
+  std::vector<Entries> among_;  // by level: those that the level above has kept
 };
 
 // Places that belong to a mean.
@@ -178,11 +202,9 @@ ColorCells::ColorCells(std::span<const Histogram::Entry> entries, const Metric& 
 }
 
 Nearest nearest_entries(const GroupedPlaces& places, const Places& entries) {
-  GroupSearch::Entries all{entries, {}};
-  for (std::uint32_t k = 0; k < entries.size(); ++k) all.number.push_back(k);
   Nearest nearest{std::vector<std::uint32_t>(places.places.size()),
                   std::vector<float>(places.places.size())};
-  GroupSearch(places, std::max(places.places.axes, entries.axes), nearest).run(all);
+  GroupSearch(places, entries, nearest).run();
   return nearest;
 }
 

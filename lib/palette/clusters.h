@@ -46,7 +46,6 @@ struct MeanRounds {
   int rounds = 0;
   std::size_t fixed = 0;   // of the means, the first, which stay where they are
   bool distances = false;  // weigh places by 1/distance: lessens the mean distance, not its square
-  bool reseed = false;     // means that gain little move to where one gains much
 };
 
 /// Moves each of `means` to the weighted mean of the places nearest to it, over and over [Lloyd82].

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "tristim/palette/quantize.h"
@@ -124,9 +125,63 @@ class Cutter {
     return set;
   }
 
-  // Sorts the members along a direction; how many come before the cut that gains most: w1 w2/(w1 +
-  // w2) times the square of the distance of the means.
+  // Brings the members before the cut along a direction that gains most to the front; how many they
+  // are. The gain is w1 w2/(w1 + w2) times the square of the distance of the means. Large sets are
+  // cut between one of kBins equal steps, which costs no sorting.
   std::size_t best_cut(std::span<std::uint32_t> members, const Vector& direction, double& gain) {
+    constexpr std::size_t kLarge = 2048;
+    const std::size_t first = members.size() > kLarge ? cut_in_bins(members, direction, gain) : 0;
+    return first > 0 ? first : cut_in_order(members, direction, gain);
+  }
+
+  // 0 where all are in one step.
+  std::size_t cut_in_bins(std::span<std::uint32_t> members, const Vector& direction,
+                          double& gain) {
+    constexpr std::size_t kBins = 512;
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
+    for (const std::uint32_t i : members) {
+      along_[i] = static_cast<float>(dot(direction, places_.at(i)));
+      low = std::min(low, along_[i]);
+      high = std::max(high, along_[i]);
+    }
+    if (!(high > low)) return 0;
+    const float steps = static_cast<float>(kBins - 1) / (high - low);
+    const auto bin = [&](std::uint32_t i) {
+      return static_cast<std::size_t>((along_[i] - low) * steps);
+    };
+    struct Sums {
+      double weight = 0, along = 0;
+    };
+    std::array<Sums, kBins> bins{};
+    Sums all;
+    for (const std::uint32_t i : members) {
+      const double w = places_.weight[i];
+      const double along = w * (along_[i] - low);
+      bins[bin(i)].weight += w;
+      bins[bin(i)].along += along;
+      all.weight += w;
+      all.along += along;
+    }
+    Sums below;
+    std::size_t best = 0;
+    gain = 0;
+    for (std::size_t b = 0; b + 1 < kBins; ++b) {
+      below.weight += bins[b].weight;
+      below.along += bins[b].along;
+      const double above = all.weight - below.weight;
+      if (!(below.weight > 0) || !(above > 0)) continue;
+      const double moment = below.along - all.along * (below.weight / all.weight);
+      const double reached = moment * moment * all.weight / (below.weight * above);
+      if (reached > gain) gain = reached, best = b;
+    }
+    const auto second = std::stable_partition(members.begin(), members.end(),
+                                              [&](std::uint32_t i) { return bin(i) <= best; });
+    return second == members.end() ? 0 : static_cast<std::size_t>(second - members.begin());
+  }
+
+  std::size_t cut_in_order(std::span<std::uint32_t> members, const Vector& direction,
+                           double& gain) {
     for (const std::uint32_t i : members) {
       along_[i] = static_cast<float>(dot(direction, places_.at(i)));
     }

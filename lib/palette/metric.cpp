@@ -4,8 +4,10 @@
 
 #include "lib/color/curve_table.h"
 #include "tristim/color/lab.h"
+#include "tristim/color/models.h"
 #include "tristim/color/oklab.h"
 #include "tristim/color/primaries.h"
+#include "tristim/color/rows.h"
 
 namespace tristim {
 namespace {
@@ -15,7 +17,11 @@ namespace {
 // S-CIELAB difference from the original (18.6).
 constexpr double kToe = 0.3;
 
-constexpr double kSmallToe = 0.0005;
+// Share of the codes in the balanced metric.
+constexpr float kCodes = 0.5F;
+
+// Without it the darkest colours would take entries that nobody sees.
+constexpr double kBalancedToe = 0.0005;
 
 std::array<float, 3> floats(double a, double b, double c) noexcept {
   return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)};
@@ -25,6 +31,20 @@ Xyz srgb_xyz(Rgb rgb) noexcept {
   static const Eigen::Matrix3d matrix = xyz_from_rgb(Primaries{});
   const Eigen::Vector3d xyz = matrix * Eigen::Vector3d(rgb.r, rgb.g, rgb.b);
   return {xyz.x(), xyz.y(), xyz.z()};
+}
+
+std::array<float, 3> balanced(const std::array<float, 3>& oklab,
+                              const std::array<float, 3>& rgb) noexcept {
+  const auto [r, g, b] = rgb;
+  return {1.2F * oklab[0] + kCodes * (0.5183F * r + 0.7457F * g + 0.4186F * b),
+          2.0F * oklab[1] + kCodes * (0.8214F * r - 0.5703F * g),
+          2.0F * oklab[2] + kCodes * (0.2379F * r + 0.3444F * g - 0.9082F * b)};
+}
+
+const RowConversion& oklab_row() {
+  static const RowConversion conversion(parse_model("linear:srgb", "metric"), parse_model("oklab", "metric"),
+                                        Adaptation::kBradford);
+  return conversion;
 }
 
 }  // namespace
@@ -62,12 +82,43 @@ std::array<float, 3> encoded_place(Rgb linear_srgb) noexcept {
           encode(static_cast<float>(linear_srgb.b))};
 }
 
+// Oklab, its chroma doubled and its lightness a fifth up, and codes turned so that their axes run
+// along Oklab's.
 std::array<float, 3> balanced_place(Rgb linear_srgb) noexcept {
-  const auto [r, g, b] = encoded_place(linear_srgb);
-  const Oklab ok = linear_srgb_to_oklab_with_toe(linear_srgb, kSmallToe);
-  return floats(1.2 * ok.l + 0.4 * (0.5183 * r + 0.7457 * g + 0.4186 * b),
-                2 * ok.a + 0.4 * (0.8214 * r - 0.5703 * g),
-                2 * ok.b + 0.4 * (0.2379 * r + 0.3444 * g - 0.9082 * b));
+  const Oklab ok = linear_srgb_to_oklab({std::clamp(linear_srgb.r, 0.0, 1.0) + kBalancedToe,
+                                         std::clamp(linear_srgb.g, 0.0, 1.0) + kBalancedToe,
+                                         std::clamp(linear_srgb.b, 0.0, 1.0) + kBalancedToe});
+  return balanced(floats(ok.l, ok.a, ok.b), encoded_place(linear_srgb));
+}
+
+void oklab_place_row(std::span<float> pixels) { oklab_row()(pixels, 3, pixels, 3); }
+
+void balanced_place_row(std::span<float> pixels) {
+  constexpr std::size_t kPixels = 128;
+  const detail::CurveTable& encode = detail::srgb_encode_table();
+  std::array<float, 3 * kPixels> codes{};
+  while (!pixels.empty()) {
+    const std::span<float> block = pixels.first(std::min(pixels.size(), codes.size()));
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      codes[i] = encode(block[i]);
+      block[i] = std::clamp(block[i], 0.0F, 1.0F) + static_cast<float>(kBalancedToe);
+    }
+    oklab_place_row(block);
+    for (std::size_t i = 0; i < block.size(); i += 3) {
+      const auto place = balanced({block[i], block[i + 1], block[i + 2]},
+                                  {codes[i], codes[i + 1], codes[i + 2]});
+      std::copy(place.begin(), place.end(), &block[i]);
+    }
+    pixels = pixels.subspan(block.size());
+  }
+}
+
+void place_row(const Metric& metric, std::span<float> pixels) {
+  if (metric.place_row != nullptr) return metric.place_row(pixels);
+  for (std::size_t i = 0; i < pixels.size(); i += 3) {
+    const auto place = metric.place({pixels[i], pixels[i + 1], pixels[i + 2]});
+    std::copy(place.begin(), place.end(), &pixels[i]);
+  }
 }
 
 }  // namespace tristim

@@ -1,10 +1,16 @@
 #include "lib/palette/places.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tristim/color/transfer.h"
 
 namespace tristim::detail {
+namespace {
+
+constexpr std::size_t kBlock = 256;  // pixels
+
+}  // namespace
 
 void Places::push_back(const Place& place, float w) {
   for (std::size_t i = 0; i < 4; ++i) axis[i].push_back(place[i]);
@@ -14,7 +20,7 @@ void Places::push_back(const Place& place, float w) {
 
 Placer::Placer(const Metric& metric) : metric_(&metric), length_(0), light_{} {
   for (std::size_t i = 0; i < light_.size(); ++i) {
-    light_[i] = srgb_decode(static_cast<double>(i) / 255);
+    light_[i] = static_cast<float>(srgb_decode(static_cast<double>(i) / 255));
   }
   const auto black = metric.place({0, 0, 0});
   const auto white = metric.place({1, 1, 1});
@@ -23,11 +29,27 @@ Placer::Placer(const Metric& metric) : metric_(&metric), length_(0), light_{} {
   length_ = std::sqrt(sum);
 }
 
-Place Placer::operator()(Color8 color) const noexcept {
-  const auto place = metric_->place({light_[color.r], light_[color.g], light_[color.b]});
-  if (color.a == 255) return {place[0], place[1], place[2], 0};
-  const float alpha = static_cast<float>(color.a) / 255;
-  return {place[0] * alpha, place[1] * alpha, place[2] * alpha, (1 - alpha) * length_};
+void Placer::place(std::span<const Histogram::Entry> entries, std::span<float> pixels) const {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Color8 c = entries[i].color;
+    pixels[3 * i] = light_[c.r];
+    pixels[3 * i + 1] = light_[c.g];
+    pixels[3 * i + 2] = light_[c.b];
+  }
+  place_row(*metric_, pixels.first(3 * entries.size()));
+}
+
+Place Placer::with_alpha(const float* place, std::uint8_t alpha) const noexcept {
+  if (alpha == 255) return {place[0], place[1], place[2], 0};
+  const float part = static_cast<float>(alpha) / 255;
+  return {place[0] * part, place[1] * part, place[2] * part, (1 - part) * length_};
+}
+
+Place Placer::operator()(Color8 color) const {
+  const Histogram::Entry entry{color, 1};
+  std::array<float, 3> pixel{};
+  place({&entry, 1}, pixel);
+  return with_alpha(pixel.data(), color.a);
 }
 
 Places places_of(std::span<const Histogram::Entry> entries, const Metric& metric) {
@@ -35,8 +57,14 @@ Places places_of(std::span<const Histogram::Entry> entries, const Metric& metric
   Places places;
   for (auto& axis : places.axis) axis.reserve(entries.size());
   places.weight.reserve(entries.size());
-  for (const Histogram::Entry& entry : entries) {
-    places.push_back(placer(entry.color), static_cast<float>(entry.count));
+  std::array<float, 3 * kBlock> pixels{};
+  for (std::size_t first = 0; first < entries.size(); first += kBlock) {
+    const auto block = entries.subspan(first, std::min(kBlock, entries.size() - first));
+    placer.place(block, pixels);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      places.push_back(placer.with_alpha(&pixels[3 * i], block[i].color.a),
+                       static_cast<float>(block[i].count));
+    }
   }
   return places;
 }

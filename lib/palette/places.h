@@ -31,12 +31,16 @@ struct Places {
 class Placer {
  public:
   explicit Placer(const Metric& metric);
-  Place operator()(Color8 color) const noexcept;
+  Place operator()(Color8 color) const;
+
+  /// Three numbers for each of `entries`, before alpha.
+  void place(std::span<const Histogram::Entry> entries, std::span<float> pixels) const;
+  Place with_alpha(const float* place, std::uint8_t alpha) const noexcept;
 
  private:
   const Metric* metric_;
   float length_;  // of black to white: what alpha is worth
-  std::array<double, 256> light_;
+  std::array<float, 256> light_;
 };
 
 Places places_of(std::span<const Histogram::Entry> entries, const Metric& metric);

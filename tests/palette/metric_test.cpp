@@ -60,5 +60,22 @@ TEST(Metrics, SeparateColoursThatDiffer) {
   }
 }
 
+TEST(Metric, PlacesRowsAsColours) {
+  std::vector<float> pixels;
+  std::uint32_t state = 1;
+  for (int i = 0; i < 3 * 1000; ++i) {
+    state = state * 1664525 + 1013904223;
+    pixels.push_back(static_cast<float>(state >> 8) / 0x1p24F);
+  }
+  for (const Metric& metric : kMetrics) {
+    std::vector<float> places = pixels;
+    place_row(metric, places);
+    for (std::size_t i = 0; i < pixels.size(); i += 3) {
+      const auto place = metric.place({pixels[i], pixels[i + 1], pixels[i + 2]});
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(places[i + c], place[c], 1e-6) << metric.name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tristim
