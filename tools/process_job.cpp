@@ -53,17 +53,19 @@ std::optional<PaletteChoice> palette_to_choose(const Display& display, const Set
 Display with_chosen_palette(const Display& display, const PaletteChoice& choice,
                             const ProcessOptions& options, const std::string& input) {
   const int colors = palette_colors(display, choice);
+  PaletteOptions wanted{.colors = colors, .metric = options.settings.metric, .bits = choice.bits};
+  if (!choice.inks.empty()) wanted.inks = choice.inks;
   if (!choice.method->needs_histogram) {
-    return with_palette(display,
-                        build_palette({}, *choice.method, {.colors = colors, .bits = choice.bits}));
+    return with_palette(display, build_palette({}, *choice.method, wanted));
   }
   make_rereadable(input);
   const auto picture =
       prepare(open_picture(input, {.layer = options.settings.layer, .threads = options.threads}),
               display, options.settings, nullptr);
   const StageList stages = stage_list(picture->info(), display, options.settings);
-  const Histogram counted = histogram(*picture, stages, display, {.threads = options.threads});
-  return with_palette(display, build_palette(counted, *choice.method, {.colors = colors}));
+  const Histogram counted = histogram(*picture, stages, display, {.threads = options.threads},
+                                      options.settings.palette_weights);
+  return with_palette(display, build_palette(counted, *choice.method, wanted));
 }
 
 // The strength of the dither, turned and fitted as the picture is; null where none was asked for.

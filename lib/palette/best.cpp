@@ -17,9 +17,7 @@ std::vector<Color8> choose_best(const PaletteTask& task) {
   const bool by_cells =
       cells.cells.places.size() / kCellsEach >= static_cast<std::size_t>(task.colors);
   const detail::GroupedPlaces& start = by_cells ? cells.cells : cells.colors;
-  detail::MeanRounds rounds{.rounds = few ? 30 : 10,
-                            .fixed = task.fixed.size(),
-                            .distances = few};
+  detail::MeanRounds rounds{.rounds = few ? 30 : 10, .fixed = task.fixed.size(), .distances = few};
   detail::Places means = detail::starting_means(task, start.places);
   detail::move_means(start, rounds, means);
   rounds.rounds = few ? 10 : 3;

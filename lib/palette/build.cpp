@@ -29,6 +29,9 @@ void check(const PaletteOptions& options) {
     refuse(std::to_string(fixed) + " fixed colours, more than the " +
            std::to_string(options.colors) + " of the palette");
   }
+  if (options.inks.empty() || options.inks.size() > 3) {
+    refuse(std::to_string(options.inks.size()) + " inks, expected 1 to 3");
+  }
   if (!options.transparent) return;
   if (*options.transparent < fixed || *options.transparent >= options.colors) {
     refuse("transparent index " + std::to_string(*options.transparent) + ", expected " +
@@ -49,10 +52,9 @@ std::vector<Entry> open_entries(const Histogram& histogram, const PaletteOptions
 
 std::vector<Color8> chosen(const std::vector<Entry>& entries, const PaletteMethod& method,
                            const PaletteTask& task) {
+  if (task.colors == 0) return {};
   if (method.needs_histogram) {
-    if (task.colors == 0 || std::ssize(entries) > task.colors) {
-      return task.colors == 0 ? std::vector<Color8>{} : method.choose(task);
-    }
+    if (std::ssize(entries) > task.colors) return method.choose(task);
     std::vector<Color8> all;
     for (const Entry& entry : entries) all.push_back(entry.color);
     return all;
@@ -141,7 +143,7 @@ std::vector<Color8> build_palette(const Histogram& histogram, const PaletteMetho
   const int room =
       options.colors - static_cast<int>(options.fixed.size()) - (options.transparent ? 1 : 0);
   std::vector<Color8> colors =
-      chosen(entries, method, {entries, room, &metric, options.fixed, options.bits});
+      chosen(entries, method, {entries, room, &metric, options.fixed, options.bits, options.inks});
   put_in_order(colors, options.order, entries, metric);
 
   std::vector<Color8> palette = options.fixed;

@@ -135,8 +135,7 @@ class Cutter {
   }
 
   // 0 where all are in one step.
-  std::size_t cut_in_bins(std::span<std::uint32_t> members, const Vector& direction,
-                          double& gain) {
+  std::size_t cut_in_bins(std::span<std::uint32_t> members, const Vector& direction, double& gain) {
     constexpr std::size_t kBins = 512;
     float low = std::numeric_limits<float>::infinity();
     float high = -low;

@@ -4,26 +4,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "lib/palette/color_cell.h"
+
 namespace tristim {
 namespace {
 
 constexpr std::size_t kSlab = 512;            // blocks
-constexpr std::uint32_t kCells = 1U << 18;    // 64 x 64 x 64
 constexpr std::uint64_t kCarry = 1ULL << 32;  // what a count loses when it overflows
 
-constexpr std::uint32_t cell_of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-  return r >> 2 << 12 | g >> 2 << 6 | b >> 2;
-}
-constexpr std::uint32_t place_in_cell(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-  return (r & 3) << 4 | (g & 3) << 2 | (b & 3);
-}
-constexpr std::uint32_t key_of(Color8 c) {
-  return std::uint32_t{c.r} << 24 | std::uint32_t{c.g} << 16 | std::uint32_t{c.b} << 8 | c.a;
-}
-constexpr Color8 color_of(std::uint32_t key) {
-  return {static_cast<std::uint8_t>(key >> 24), static_cast<std::uint8_t>(key >> 16 & 255),
-          static_cast<std::uint8_t>(key >> 8 & 255), static_cast<std::uint8_t>(key & 255)};
-}
+using detail::cell_of;
+using detail::color_of;
+using detail::key_of;
+using detail::place_in_cell;
 
 // Sorted, with one entry for each colour.
 std::vector<Histogram::Entry> gathered(std::vector<Histogram::Entry> entries) {
@@ -50,7 +42,7 @@ void check_channels(int channels) {
 }  // namespace
 
 Histogram::Block& Histogram::block(std::uint32_t cell) {
-  if (directory_.empty()) directory_.resize(kCells);
+  if (directory_.empty()) directory_.resize(detail::kColorCells);
   std::uint32_t& number = directory_[cell];
   if (number == 0) {
     if (blocks_.empty() || blocks_.back().size() == kSlab) blocks_.emplace_back().reserve(kSlab);
@@ -78,7 +70,7 @@ template <typename T, typename Weights>
 void Histogram::add_rows(ImageView<const T> codes, Weights&& weight) {
   check_channels(codes.channels);
   for (int y = 0; y < codes.height; ++y) {
-    std::uint32_t cell = kCells;  // none
+    std::uint32_t cell = detail::kColorCells;  // none
     Block* counts = nullptr;
     const T* pixel = codes.row(y).data();
     for (int x = 0; x < codes.width; ++x, pixel += codes.channels) {

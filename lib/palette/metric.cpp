@@ -42,8 +42,8 @@ std::array<float, 3> balanced(const std::array<float, 3>& oklab,
 }
 
 const RowConversion& oklab_row() {
-  static const RowConversion conversion(parse_model("linear:srgb", "metric"), parse_model("oklab", "metric"),
-                                        Adaptation::kBradford);
+  static const RowConversion conversion(parse_model("linear:srgb", "metric"),
+                                        parse_model("oklab", "metric"), Adaptation::kBradford);
   return conversion;
 }
 
@@ -105,8 +105,8 @@ void balanced_place_row(std::span<float> pixels) {
     }
     oklab_place_row(block);
     for (std::size_t i = 0; i < block.size(); i += 3) {
-      const auto place = balanced({block[i], block[i + 1], block[i + 2]},
-                                  {codes[i], codes[i + 1], codes[i + 2]});
+      const auto place =
+          balanced({block[i], block[i + 1], block[i + 2]}, {codes[i], codes[i + 1], codes[i + 2]});
       std::copy(place.begin(), place.end(), &block[i]);
     }
     pixels = pixels.subspan(block.size());

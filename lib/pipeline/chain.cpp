@@ -6,6 +6,7 @@
 #include "tristim/core/error.h"
 #include "tristim/core/find.h"
 #include "tristim/image/repeat.h"
+#include "tristim/palette/weights.h"
 
 namespace tristim {
 namespace {
@@ -29,12 +30,24 @@ int cells_of(int pixels, int cell) {
 // Counts codes instead of writing them.
 class HistogramSink : public CodeSink {
  public:
-  explicit HistogramSink(Histogram& histogram) : histogram_(histogram) {}
-  void write(ImageView<const std::uint16_t> rows) override { histogram_.add(rows); }
+  HistogramSink(Histogram& histogram, PaletteWeights weights)
+      : histogram_(histogram), weights_(weights) {}
+
+  void write(ImageView<const std::uint16_t> rows) override {
+    if (weights_ == PaletteWeights::kCount) return histogram_.add(rows);
+    Raster<std::uint16_t> weights(rows.width, rows.height, 1);
+    contrast_weights(rows, above_, weights.view());
+    histogram_.add(rows, weights.view());
+    const auto last = rows.row(rows.height - 1);
+    above_.assign(last.begin(), last.end());
+  }
+
   void finish() override {}
 
  private:
   Histogram& histogram_;
+  PaletteWeights weights_;
+  std::vector<std::uint16_t> above_;  // the row before the next ones
 };
 
 }  // namespace
@@ -93,7 +106,10 @@ ReduceOptions reduce_options(const Display& display, const Settings& settings) {
       screened ? *find_by_name(dither_methods(), "screen") : default_dither(display);
   const NamedDither& dither = settings.dither ? *settings.dither : usual_dither;
   const bool dithered = !std::holds_alternative<NoDither>(dither.method);
-  const Metric* usual = find_by_name(kMetrics, dithered ? "oklab-toe" : "oklab");
+  const bool chosen = settings.palette.method != nullptr;
+  const Metric* usual = find_by_name(kMetrics, dithered ? "oklab-toe"
+                                               : chosen ? "balanced"
+                                                        : "oklab");
   DitherParameters parameters = settings.dither_parameters;
   if (!parameters.serpentine && display.frame.packing.indexed && !display.press)
     parameters.serpentine = true;
@@ -106,12 +122,12 @@ ReduceOptions reduce_options(const Display& display, const Settings& settings) {
 }
 
 Histogram histogram(RowSource& picture, const StageList& stages, const Display& display,
-                    const RunOptions& options) {
+                    const RunOptions& options, PaletteWeights weights) {
   Display counted;                        // sRGB codes of 8 bits ...
   counted.primaries = display.primaries;  // ... in the device's primaries
   Reducer reducer(counted, {}, picture.info().width);
   Histogram result;
-  HistogramSink sink(result);
+  HistogramSink sink(result, weights);
   run(picture, stages.stages, reducer, sink, {}, options);
   return result;
 }

@@ -179,6 +179,19 @@ std::optional<std::array<int, 3>> fixed_bits(std::string_view name) {
   return sum >= 1 && sum <= 16 ? std::optional(bits) : std::nullopt;
 }
 
+// Colours behind "inks:N:", as in "#204080+black"; nothing where one is none.
+std::optional<std::vector<Color8>> parse_inks(std::string_view text) {
+  std::vector<Color8> inks;
+  for (const std::string_view part : split(text, '+')) {
+    const auto color = parse_color(part);
+    if (!color) return std::nullopt;
+    const auto code = [](double v) { return static_cast<std::uint8_t>(v * 255 + 0.5); };
+    inks.push_back({code(color->r), code(color->g), code(color->b)});
+  }
+  if (inks.size() > 3) return std::nullopt;
+  return inks;
+}
+
 Result set_palette(Settings& settings, std::string_view value) {
   if (same_name(value, "device")) {
     settings.palette = {};
@@ -191,13 +204,21 @@ Result set_palette(Settings& settings, std::string_view value) {
   int colors = 0;
   if (parts.size() > 1) {
     const auto number = parse_integer(parts[1]);
-    if (parts.size() > 2 || !number || *number < 1 || *number > kMostColors) {
+    const bool too_many = parts.size() > 3 || (parts.size() > 2 && method->name != "inks");
+    if (too_many || !number || *number < 1 || *number > kMostColors) {
       return not_a("palette", value, "give the number of colours, 1 to 65536, as in best:16");
     }
     colors = static_cast<int>(*number);
   }
   if (bits && colors == 0) colors = 1 << ((*bits)[0] + (*bits)[1] + (*bits)[2]);
-  settings.palette = {method, colors, bits.value_or(std::array{0, 0, 0})};
+  std::vector<Color8> inks;
+  if (parts.size() > 2) {
+    const auto given = parse_inks(parts[2]);
+    if (!given)
+      return not_a("palette", value, "give one to three inks, as in inks:16:#204080+black");
+    inks = *given;
+  }
+  settings.palette = {method, colors, bits.value_or(std::array{0, 0, 0}), inks};
   return {};
 }
 
@@ -306,10 +327,20 @@ std::vector<Setting> make_settings() {
        }},
       {"palette", "device|METHOD[:N]",
        "choose N colours for the picture, for indexed devices: " + list_names(kPaletteMethods) +
-           "; default: device",
+           "; fixed-565 and the like have bits a channel, inks:N:#204080+black up to three inks; "
+           "default: device",
        set_palette},
+      {"palette-weights", list_names(kPaletteWeights, "|"),
+       "what makes a colour count for a chosen palette: its pixels, or those in flat areas more; "
+       "default: count",
+       [](Settings& s, std::string_view v) {
+         return choose("palette-weights", kPaletteWeights, v,
+                       [&](const NamedPaletteWeights& w) { s.palette_weights = w.weights; });
+       }},
       {"metric", list_names(kMetrics, "|"),
-       "space in which the nearest colour is chosen; default: oklab, dithered oklab-toe",
+       "space in which the nearest colour is chosen; default: oklab, dithered oklab-toe, of a "
+       "chosen "
+       "palette balanced",
        [](Settings& s, std::string_view v) {
          return choose("metric", kMetrics, v, [&](const Metric& m) { s.metric = &m; });
        }},

@@ -49,7 +49,8 @@ TEST(NearestEntries, AreThoseOfAllEntries) {
   const auto random = [&state] { return (state = state * 1664525 + 1013904223) >> 24; };
   for (int i = 0; i < 3000; ++i) {
     const std::uint32_t r = random();
-    histogram.add(Color8{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(r / 2 + random() / 8),
+    histogram.add(Color8{static_cast<std::uint8_t>(r),
+                         static_cast<std::uint8_t>(r / 2 + random() / 8),
                          static_cast<std::uint8_t>(random() / 4)});
   }
   entries = histogram.entries();
@@ -60,10 +61,10 @@ TEST(NearestEntries, AreThoseOfAllEntries) {
       if (size == 65536 && metric.name != "balanced") continue;
       Places palette;
       for (int k = 0; k < size; ++k) {
-        palette.push_back(placer({static_cast<std::uint8_t>(random()),
-                                  static_cast<std::uint8_t>(random()),
-                                  static_cast<std::uint8_t>(random())}),
-                          0);
+        palette.push_back(
+            placer({static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
+                    static_cast<std::uint8_t>(random())}),
+            0);
       }
       const Nearest found = nearest_entries(cells.colors, palette);
       const Nearest expected = search_all(place_search(), palette, cells.colors.places, 3);

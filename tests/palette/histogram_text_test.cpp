@@ -49,12 +49,11 @@ TEST(HistogramText, TakesOtherEndsOfLinesAndRepeatedColours) {
 
 TEST(HistogramText, SaysWhatIsWrongAndWhere) {
   const std::string remedy = "; write it with palette build --histogram-out";
-  const std::string row =
-      ": expected a colour and how often it occurs, as in 'ff8000 12'" + remedy;
-  for (const char* bad : {"ff8000\n", "ff8000 \n", "ff8000 0\n", "ff8000 -1\n", "ff8000 1.5\n",
-                          "ff8000 12 \n", "ff8000  12\n", "ff800 12\n", "#ff8000 12\n",
-                          "gg8000 12\n", "+f8000 12\n", "\n", " 12\n",
-                          "ff8000 99999999999999999999\n"}) {
+  const std::string row = ": expected a colour and how often it occurs, as in 'ff8000 12'" + remedy;
+  for (const char* bad :
+       {"ff8000\n", "ff8000 \n", "ff8000 0\n", "ff8000 -1\n", "ff8000 1.5\n", "ff8000 12 \n",
+        "ff8000  12\n", "ff800 12\n", "#ff8000 12\n", "gg8000 12\n", "+f8000 12\n", "\n", " 12\n",
+        "ff8000 99999999999999999999\n"}) {
     EXPECT_EQ(refusal(std::string("000000 1\n") + bad), "3 h:3" + row) << bad;
   }
   EXPECT_EQ(refusal("000000 70368744177665\n"),

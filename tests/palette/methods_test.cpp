@@ -166,6 +166,23 @@ TEST(PaletteMethods, TellTwoCloudsApart) {
   }
 }
 
+TEST(Inks, GoFromAllInksToPaperInEqualSteps) {
+  const Color8 blue{32, 64, 128};
+  const auto tones = [](int colors, std::vector<Color8> inks) {
+    return build_palette({}, *find_by_name(kPaletteMethods, "inks"),
+                         {.colors = colors, .inks = std::move(inks)});
+  };
+  EXPECT_EQ(tones(2, {blue}), (Palette{blue, {255, 255, 255}}));
+  // One black ink: greys whose cube roots of light are in equal steps, .5^3 = .125 in the middle.
+  EXPECT_EQ(tones(3, {{0, 0, 0}}), (Palette{{0, 0, 0}, {99, 99, 99}, {255, 255, 255}}));
+  const Palette duotone = tones(16, {{255, 128, 0}, {0, 0, 0}});
+  ASSERT_EQ(duotone.size(), 16U);
+  EXPECT_EQ(duotone.front(), (Color8{0, 0, 0}));
+  EXPECT_GT(duotone[8].r, duotone[8].b + 50);  // the middle is orange
+  for (std::size_t i = 1; i < duotone.size(); ++i) EXPECT_GT(duotone[i].g, duotone[i - 1].g);
+  EXPECT_EQ(tones(5, {blue, blue, blue}).size(), 5U);
+}
+
 TEST(BuildPalette, OfNothingIsWhatIsFixed) {
   for (const PaletteMethod& method : kPaletteMethods) {
     if (!method.needs_histogram) continue;
@@ -213,6 +230,7 @@ TEST(BuildPalette, SaysWhatIsWrong) {
             "palette: transparent index 0, expected 1 to 3, behind the fixed colours");
   EXPECT_EQ(text({.colors = 4, .transparent = 4}, method),
             "palette: transparent index 4, expected 0 to 3, behind the fixed colours");
+  EXPECT_EQ(text({.inks = {}}, method), "palette: 0 inks, expected 1 to 3");
   EXPECT_EQ(text({.colors = 255}, *find_by_name(kPaletteMethods, "fixed-332")),
             "palette: fixed-332 has 256 colours, more than the 255 there is room for");
 }

@@ -25,14 +25,16 @@ TEST(ContrastWeights, AreFullInFlatAreasAndSmallInTexture) {
 TEST(ContrastWeights, OfBandsAreThoseOfTheWhole) {
   Raster<std::uint16_t> codes(5, 6, 3);
   for (int y = 0; y < 6; ++y) {
-    for (int i = 0; i < 15; ++i) codes.view().row(y)[std::size_t(i)] = std::uint16_t(i * y * 7 % 256);
+    for (int i = 0; i < 15; ++i)
+      codes.view().row(y)[std::size_t(i)] = std::uint16_t(i * y * 7 % 256);
   }
   Raster<std::uint16_t> whole(5, 6, 1);
   contrast_weights(codes.view(), {}, whole.view());
   Raster<std::uint16_t> bands(5, 6, 1);
   contrast_weights(codes.view().rows(0, 2), {}, bands.view().rows(0, 2));
   contrast_weights(codes.view().rows(2, 4), codes.view().row(1), bands.view().rows(2, 4));
-  for (int y = 0; y < 6; ++y) EXPECT_TRUE(std::ranges::equal(whole.view().row(y), bands.view().row(y)));
+  for (int y = 0; y < 6; ++y)
+    EXPECT_TRUE(std::ranges::equal(whole.view().row(y), bands.view().row(y)));
 }
 
 TEST(Histogram, CountsPixelsByTheirWeights) {
@@ -56,8 +58,8 @@ TEST(Histogram, CountsBeyond32Bits) {
   std::ranges::copy(std::array{4, 5, 6}, pixel.view().data);
   histogram.add(ImageView<const std::uint8_t>(pixel.view()));
   histogram.add(ImageView<const std::uint8_t>(pixel.view()));
-  EXPECT_EQ(histogram.entries(), (std::vector<Histogram::Entry>{{{1, 2, 3}, kMany + 1},
-                                                                {{4, 5, 6}, kMany + 2}}));
+  EXPECT_EQ(histogram.entries(),
+            (std::vector<Histogram::Entry>{{{1, 2, 3}, kMany + 1}, {{4, 5, 6}, kMany + 2}}));
 }
 
 TEST(WithAlpha, ComposesThresholdsOrKeeps) {

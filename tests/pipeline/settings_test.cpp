@@ -164,6 +164,12 @@ TEST(Settings, TakeSizesWithOneSideOrBoth) {
 TEST(Settings, TakePalettesWithTheirNumberOfColours) {
   EXPECT_EQ(set("palette", "device").palette.method, nullptr);
   EXPECT_EQ(set("palette", "popularity").palette.colors, 0);
+  EXPECT_EQ(set("palette", "fixed-565").palette.bits, (std::array{5, 6, 5}));
+  EXPECT_EQ(set("palette", "fixed-565").palette.colors, 65536);
+  EXPECT_EQ(set("palette", "inks:16:#204080+black").palette.inks,
+            (std::vector<Color8>{{0x20, 0x40, 0x80}, {0, 0, 0}}));
+  EXPECT_EQ(set("palette", "best:1").palette.colors, 1);
+  EXPECT_EQ(set("palette-weights", "contrast").palette_weights, PaletteWeights::kContrast);
   EXPECT_EQ(set("palette", "median_cut:16").palette.colors, 16);
   EXPECT_EQ(set("palette", "median_cut:16").palette.method->name, "median-cut");
   for (const char* bad :

@@ -8,7 +8,8 @@
 namespace tristim {
 
 /// A histogram as text, to be merged elsewhere: the line "tristim histogram 1", then for each
-/// colour, in ascending order, "rrggbb count" or "rrggbbaa count", two hexadecimal digits a channel.
+/// colour, in ascending order, "rrggbb count" or "rrggbbaa count", two hexadecimal digits a
+/// channel.
 std::string histogram_text(const Histogram& histogram);
 
 /// Adds the colours of such a text to `histogram`, which keeps those that it has. Lines may end in

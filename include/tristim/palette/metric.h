@@ -21,7 +21,6 @@ struct Metric {
 /// Pixels of linear sRGB to their places, in place.
 void place_row(const Metric& metric, std::span<float> pixels);
 
-
 std::array<float, 3> oklab_place(Rgb linear_srgb) noexcept;
 /// Oklab with a toe: without the infinite slope at black, at which a diffused error flips between
 /// entries. For choosing while dithering, where colours go below black.

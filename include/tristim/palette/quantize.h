@@ -36,6 +36,7 @@ struct PaletteTask {
   const Metric* metric = nullptr;             // where methods that measure do so
   std::span<const Color8> fixed;              // in the palette whatever is chosen
   std::array<int, 3> bits{};                  // of a fixed palette; 0: as `colors` allows
+  std::vector<Color8> inks;                   // on white paper
 };
 
 /// A way to choose the colours of a palette: at most `task.colors`, all distinct. Ties go to the
@@ -63,6 +64,11 @@ std::vector<Color8> choose_fixed(const PaletteTask& task);
 std::vector<Color8> choose_fixed_332(const PaletteTask& task);
 /// The largest cube of n x n x n colours in equal steps, and greys between with what is left.
 std::vector<Color8> choose_uniform(const PaletteTask& task);
+
+/// Tones of one ink on white paper, of two (duotone) or three (tritone): the first in all tones,
+/// each further one as a higher power deeper in the shadows; inks over each other multiply
+/// [Demichel24]. From all of every ink to paper in equal steps of the cube root of luminance.
+std::vector<Color8> choose_inks(const PaletteTask& task);
 
 /// Cuts of sets of colours in two, in the metric. They differ in the set that is cut next and
 /// where. The set of the largest variance, along the axis of the largest, where that gains most
@@ -95,7 +101,8 @@ inline constexpr std::array kPaletteMethods{
     PaletteMethod{"k-means", choose_k_means, true, "[Lloyd82]"},
     PaletteMethod{"fixed-332", choose_fixed_332, false, "[Shoaff 2.2.10]", 256},
     PaletteMethod{"fixed", choose_fixed, false, "[Shoaff 2.2.10]"},
-    PaletteMethod{"uniform", choose_uniform, false, "a cube and a grey ramp"}};
+    PaletteMethod{"uniform", choose_uniform, false, "a cube and a grey ramp"},
+    PaletteMethod{"inks", choose_inks, false, "[Demichel24]"}};
 
 /// The most entries of a palette.
 inline constexpr int kMostColors = 65536;
@@ -108,6 +115,7 @@ struct PaletteOptions {
   std::optional<int> transparent;             // index of an entry of alpha 0 that no colour takes
   PaletteOrder order = PaletteOrder::kFound;  // of those that are not fixed
   std::array<int, 3> bits{};                  // of `fixed`, 0 to 8 each, together at most 16
+  std::vector<Color8> inks{{0, 0, 0}};        // of `inks`, one to three
 };
 
 /// A palette for all that `histogram` counted: at most `options.colors` colours. Where the
@@ -118,7 +126,7 @@ struct PaletteOptions {
 /// Merged histograms give the same palette in whatever order they were merged. Throws
 /// std::invalid_argument where colours are not in 1..kMostColors, where there are more fixed ones,
 /// where the transparent index is that of a fixed one or not below colours, and for a fixed
-/// method's palette of more than colours.
+/// method's palette of more than colours, and for no ink or more than three.
 std::vector<Color8> build_palette(const Histogram& histogram, const PaletteMethod& method,
                                   const PaletteOptions& options);
 

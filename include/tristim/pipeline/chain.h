@@ -33,9 +33,10 @@ ScreenParameters screen_parameters(const Display& display, const ScreenParameter
 ReduceOptions reduce_options(const Display& display, const Settings& settings);
 
 /// Counts the colours of a prepared picture as the device will be asked for them: after all stages,
-/// at 8 bits of the sRGB curve a channel, in the device's primaries.
+/// at 8 bits of the sRGB curve a channel, in the device's primaries; by contrast as
+/// contrast_weights() weighs them.
 Histogram histogram(RowSource& picture, const StageList& stages, const Display& display,
-                    const RunOptions& options);
+                    const RunOptions& options, PaletteWeights weights = PaletteWeights::kCount);
 
 /// `display` with a palette of codes of 8 bits a channel behind the sRGB curve in its primaries, at
 /// positions 0, 1, ...

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tristim/color/rgb.h"
 #include "tristim/device/display.h"
@@ -20,7 +21,22 @@ struct PaletteChoice {
   const PaletteMethod* method = nullptr;  // nullptr: the device's
   int colors = 0;                         // 0: as many as the packing holds
   std::array<int, 3> bits{};              // of "fixed"; 0: as many as there are colours for
+  std::vector<Color8> inks;               // of "inks"; none: black
 };
+
+/// What makes a colour count for a chosen palette.
+enum class PaletteWeights {
+  kCount,     ///< its pixels
+  kContrast,  ///< its pixels, those in flat areas more
+};
+
+struct NamedPaletteWeights {
+  std::string_view name;
+  PaletteWeights weights;
+};
+inline constexpr std::array kPaletteWeights{
+    NamedPaletteWeights{"count", PaletteWeights::kCount},
+    NamedPaletteWeights{"contrast", PaletteWeights::kContrast}};
 
 /// How a picture is processed for a device; the defaults leave it as it is.
 struct Settings {
@@ -43,7 +59,9 @@ struct Settings {
   std::string spot_picture;             // of a screen's cell, for the caller to read; empty: none
   int cell_width = 1, cell_height = 1;  // device pixels for each of the picture's [Shoaff 2.1.2]
   PaletteChoice palette;
-  const Metric* metric = nullptr;  // nullptr: oklab, and oklab-toe where the palette is dithered
+  PaletteWeights palette_weights = PaletteWeights::kCount;
+  const Metric* metric =
+      nullptr;  // nullptr: oklab-toe with dither, balanced for chosen palettes, oklab
   Mix mix = Mix::kLight;
 };
 
