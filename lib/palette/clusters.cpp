@@ -201,6 +201,19 @@ ColorCells::ColorCells(std::span<const Histogram::Entry> entries, const Metric& 
   cells.levels = {groups_by(cells.places, {}, coarse_cell)};
 }
 
+GroupedPlaces runs_of(Places places) {
+  constexpr std::uint32_t kShort = 16;
+  constexpr std::uint32_t kLong = 16;  // short ones
+  const auto short_run = [](std::uint32_t i) { return i / kShort; };
+  const auto long_run = [](std::uint32_t i) { return i / kLong; };
+  GroupedPlaces runs{std::move(places), {}};
+  const std::vector<PlaceGroup> fine = groups_by(runs.places, {}, short_run);
+  Places means;
+  for (const PlaceGroup& group : fine) means.push_back(group.mean, 1);
+  runs.levels = {groups_by(means, fine, long_run), fine};
+  return runs;
+}
+
 Nearest nearest_entries(const GroupedPlaces& places, const Places& entries) {
   Nearest nearest{std::vector<std::uint32_t>(places.places.size()),
                   std::vector<float>(places.places.size())};

@@ -32,6 +32,9 @@ struct ColorCells {
   ColorCells(std::span<const Histogram::Entry> entries, const Metric& metric);
 };
 
+/// Places in the order that they have, by runs: neighbours of a row are mostly alike.
+GroupedPlaces runs_of(Places places);
+
 struct Nearest {
   std::vector<std::uint32_t> index;
   std::vector<float> distance2;

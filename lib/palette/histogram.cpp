@@ -41,14 +41,18 @@ void check_channels(int channels) {
 
 }  // namespace
 
-Histogram::Block& Histogram::block(std::uint32_t cell) {
+std::uint32_t Histogram::new_block(std::uint32_t cell) {
   if (directory_.empty()) directory_.resize(detail::kColorCells);
-  std::uint32_t& number = directory_[cell];
-  if (number == 0) {
-    if (blocks_.empty() || blocks_.back().size() == kSlab) blocks_.emplace_back().reserve(kSlab);
-    blocks_.back().emplace_back();
-    number = static_cast<std::uint32_t>((blocks_.size() - 1) * kSlab + blocks_.back().size());
-  }
+  if (blocks_.empty() || blocks_.back().size() == kSlab) blocks_.emplace_back().reserve(kSlab);
+  blocks_.back().emplace_back();
+  directory_[cell] =
+      static_cast<std::uint32_t>((blocks_.size() - 1) * kSlab + blocks_.back().size());
+  return directory_[cell];
+}
+
+inline Histogram::Block& Histogram::block(std::uint32_t cell) {
+  std::uint32_t number = directory_.empty() ? 0 : directory_[cell];
+  if (number == 0) number = new_block(cell);
   return blocks_[(number - 1) / kSlab][(number - 1) % kSlab];
 }
 
@@ -70,26 +74,18 @@ template <typename T, typename Weights>
 void Histogram::add_rows(ImageView<const T> codes, Weights&& weight) {
   check_channels(codes.channels);
   for (int y = 0; y < codes.height; ++y) {
-    std::uint32_t cell = detail::kColorCells;  // none
-    Block* counts = nullptr;
     const T* pixel = codes.row(y).data();
     for (int x = 0; x < codes.width; ++x, pixel += codes.channels) {
       const std::uint32_t w = weight(x, y);
       const std::uint32_t r = pixel[0] & 255U;
       const std::uint32_t g = pixel[1] & 255U;
       const std::uint32_t b = pixel[2] & 255U;
-      if (w == 0) continue;
       if (codes.channels == 4 && pixel[3] != 255) {
-        add(Color8{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
-                   static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(pixel[3])},
-            w);
+        add(color_of(r << 24 | g << 16 | b << 8 | pixel[3]), w);
         continue;
       }
-      if (const std::uint32_t here = cell_of(r, g, b); here != cell) {
-        cell = here;
-        counts = &block(cell);
-      }
-      std::uint32_t& count = (*counts)[place_in_cell(r, g, b)];
+      // Looked up for every pixel: whether the cell is the last one's is a toss-up in noise.
+      std::uint32_t& count = block(cell_of(r, g, b))[place_in_cell(r, g, b)];
       count += w;
       if (count < w) carry_[r << 24 | g << 16 | b << 8 | 255] += kCarry;
     }

@@ -55,15 +55,17 @@ Place Placer::operator()(Color8 color) const {
 Places places_of(std::span<const Histogram::Entry> entries, const Metric& metric) {
   const Placer placer(metric);
   Places places;
-  for (auto& axis : places.axis) axis.reserve(entries.size());
-  places.weight.reserve(entries.size());
+  for (auto& axis : places.axis) axis.resize(entries.size());
+  places.weight.resize(entries.size());
   std::array<float, 3 * kBlock> pixels{};
   for (std::size_t first = 0; first < entries.size(); first += kBlock) {
     const auto block = entries.subspan(first, std::min(kBlock, entries.size() - first));
     placer.place(block, pixels);
     for (std::size_t i = 0; i < block.size(); ++i) {
-      places.push_back(placer.with_alpha(&pixels[3 * i], block[i].color.a),
-                       static_cast<float>(block[i].count));
+      const Place place = placer.with_alpha(&pixels[3 * i], block[i].color.a);
+      for (std::size_t a = 0; a < 4; ++a) places.axis[a][first + i] = place[a];
+      places.weight[first + i] = static_cast<float>(block[i].count);
+      if (place[3] != 0) places.axes = 4;
     }
   }
   return places;

@@ -42,6 +42,50 @@ RC_GTEST_PROP(NearestColor, IsTheNearestOfAll, ()) {
   }
 }
 
+RC_GTEST_PROP(NearestColor, OfARowIsThatOfEachPixel, ()) {
+  const auto any_row = [](int pixels) {
+    std::vector<float> row;
+    for (int i = 0; i < pixels; ++i) {
+      // Runs of neighbours with an edge now and then.
+      const bool edge = i == 0 || *rc::gen::inRange(0, 10) == 0;
+      const Rgb c = any_color();
+      for (const double v : {c.r, c.g, c.b}) {
+        row.push_back(edge ? static_cast<float>(v) : row[row.size() - 3] * 0.99F);
+      }
+    }
+    return row;
+  };
+  const std::vector<float> row = any_row(*rc::gen::inRange(0, 70));
+  std::vector<Rgb> palette;
+  for (int i = *rc::gen::inRange(1, 60); i > 0; --i) palette.push_back(any_color());
+  std::vector<float> entries;
+  for (const Rgb& c : palette) {
+    for (const double v : {c.r, c.g, c.b}) entries.push_back(static_cast<float>(v));
+  }
+  for (const Metric& metric : kMetrics) {
+    std::vector<std::uint16_t> found(row.size() / 3);
+    NearestColor(palette, metric).find_row(row, found);
+    std::vector<float> at = row;
+    std::vector<float> to = entries;
+    place_row(metric, at);
+    place_row(metric, to);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const auto distance2 = [&](std::size_t k) {
+        float sum = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float d = to[3 * k + c] - at[3 * i + c];
+          sum += d * d;
+        }
+        return sum;
+      };
+      for (std::size_t k = 0; k < palette.size(); ++k) {
+        RC_ASSERT(distance2(found[i]) <= distance2(k));
+        if (k < found[i]) RC_ASSERT(distance2(found[i]) < distance2(k));
+      }
+    }
+  }
+}
+
 TEST(NearestColor, OfEqualsIsTheFirst) {
   const std::vector<Rgb> palette{{1, 1, 1}, {0, 0, 0}, {0.5, 0.5, 0.5}, {0, 0, 0}, {1, 1, 1}};
   for (const Metric& metric : kMetrics) {

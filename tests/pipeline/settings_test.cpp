@@ -52,6 +52,8 @@ const Example kExamples[] = {
     {"effort", "3", "1001", "'1001' is no effort; give an integer from 0 to 1000"},
     {"palette", "\"median-cut:16\"", "\"median-cut:0\"",
      "'median-cut:0' is no palette; give the number of colours, 1 to 65536, as in best:16"},
+    {"palette-weights", "\"contrast\"", "\"kount\"",
+     "unknown palette-weights 'kount'; did you mean count?"},
     {"metric", "\"lab\"", "\"oklabb\"", "unknown metric 'oklabb'; did you mean oklab?"},
     {"mix", "\"encoded\"", "\"encodd\"", "unknown mix 'encodd'; did you mean encoded?"},
 };

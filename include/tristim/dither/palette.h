@@ -39,6 +39,12 @@ class MixPalette {
   /// The nearest entry of a colour given in the numbers of the mix.
   int nearest(const Color& color) const noexcept;
 
+  /// The same for a row of pixels of light.
+  void nearest_row(std::span<const float> light, std::span<std::uint16_t> indices) const {
+    nearest_.find_row(light, indices);
+  }
+  Mix mix() const noexcept { return mix_; }
+
   /// The entry that `color`, in the numbers of the mix, is already; -1 where it is none.
   int equal_entry(const Color& color) const noexcept;
 
@@ -67,7 +73,7 @@ class MixPalette {
 
 /// The nearest entry of each pixel.
 void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
-                         std::span<std::uint16_t> indices) noexcept;
+                         std::span<std::uint16_t> indices);
 
 /// Ordered dither to any palette by a plan of entries whose mean is the colour: each is the nearest
 /// to what the ones before it still owe; sorted by luminance, the matrix's rank picks one

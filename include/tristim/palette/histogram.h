@@ -55,6 +55,7 @@ class Histogram {
   // 4 x 4 x 4 neighbouring colours, which a picture's neighbouring pixels mostly share.
   using Block = std::array<std::uint32_t, 64>;
 
+  std::uint32_t new_block(std::uint32_t cell);
   Block& block(std::uint32_t cell);
   /// The blocks of the cells that hold r and g, each with its first blue.
   std::vector<std::pair<std::uint32_t, const Block*>> row_of_blocks(std::uint32_t r,

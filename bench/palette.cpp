@@ -1,0 +1,128 @@
+// What palettes cost for a picture of 3840x2160: counting, choosing 256 colours, mapping every
+// pixel to them; beside libimagequant where it is installed. Processor time, one thread.
+//
+// The picture is a stand-in for a photograph: smooth light with noise, some 600,000 colours.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "tristim/core/find.h"
+#include "tristim/palette/quantize.h"
+#include "tristim/palette/remap.h"
+
+#ifdef TRISTIM_IMAGEQUANT
+#include <libimagequant.h>
+#endif
+
+namespace tristim {
+namespace {
+
+constexpr int kWidth = 3840;
+constexpr int kHeight = 2160;
+
+const Raster<std::uint8_t>& photograph() {
+  static const Raster<std::uint8_t> picture = [] {
+    Raster<std::uint8_t> codes(kWidth, kHeight, 3);
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0, 1.5);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const double u = x / 600.0;
+        const double v = y / 500.0;
+        const double light = 110 + 80 * std::sin(u) * std::cos(v + u / 3) + 30 * std::sin(7 * v);
+        const double hue[3] = {40 * std::sin(v * 1.3), 10 * std::sin(u + v),
+                               50 * std::cos(u * 0.7)};
+        for (int c = 0; c < 3; ++c) {
+          const double code = light + hue[c] + noise(random);
+          codes.view().pixel(x, y)[c] = static_cast<std::uint8_t>(std::clamp(code, 0.0, 255.0));
+        }
+      }
+    }
+    return codes;
+  }();
+  return picture;
+}
+
+Histogram counted() {
+  Histogram histogram;
+  histogram.add(photograph().view());
+  return histogram;
+}
+
+void count(benchmark::State& state) {
+  photograph();
+  for (auto _ : state) benchmark::DoNotOptimize(counted());
+}
+BENCHMARK(count)->Unit(benchmark::kMillisecond);
+
+// Counting and choosing.
+void choose(benchmark::State& state, const char* method, int colors) {
+  photograph();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        build_palette(counted(), *find_by_name(kPaletteMethods, method), {.colors = colors}));
+  }
+}
+BENCHMARK_CAPTURE(choose, popularity, "popularity", 256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(choose, median_cut, "median-cut", 256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(choose, octree, "octree", 256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(choose, principal_cut, "principal-cut", 256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(choose, wu, "wu", 256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(choose, best_16, "best", 16)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(choose, best_256, "best", 256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(choose, best_4096, "best", 4096)->Unit(benchmark::kMillisecond);
+
+// All of it: the picture's codes to positions.
+void best_and_map(benchmark::State& state) {
+  const auto& metric = *find_by_name(kMetrics, "balanced");
+  Raster<std::uint16_t> positions(kWidth, kHeight, 1);
+  photograph();
+  for (auto _ : state) {
+    const Histogram histogram = counted();
+    const auto palette = build_palette(histogram, *find_by_name(kPaletteMethods, "best"), {});
+    PaletteMap(histogram, palette, metric).map(photograph().view(), positions.view());
+    benchmark::DoNotOptimize(positions.view().data);
+  }
+}
+BENCHMARK(best_and_map)->Unit(benchmark::kMillisecond);
+
+#ifdef TRISTIM_IMAGEQUANT
+void imagequant(benchmark::State& state) {
+  const auto& picture = photograph();
+  std::vector<std::uint8_t> rgba;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const std::uint8_t* p = picture.view().pixel(x, y);
+      rgba.insert(rgba.end(), {p[0], p[1], p[2], 255});
+    }
+  }
+  std::vector<std::uint8_t> positions(std::size_t{kWidth} * kHeight);
+  for (auto _ : state) {
+    liq_attr* attributes = liq_attr_create();
+    liq_set_speed(attributes, static_cast<int>(state.range(0)));
+    liq_image* image = liq_image_create_rgba(attributes, rgba.data(), kWidth, kHeight, 0);
+    liq_result* result = nullptr;
+    if (liq_image_quantize(image, attributes, &result) != LIQ_OK) {
+      state.SkipWithError("liq_image_quantize");
+    } else {
+      liq_set_dithering_level(result, 0);
+      liq_write_remapped_image(result, image, positions.data(), positions.size());
+      liq_result_destroy(result);
+    }
+    liq_image_destroy(image);
+    liq_attr_destroy(attributes);
+  }
+}
+// Its slowest, its usual and its fastest speed.
+BENCHMARK(imagequant)
+    ->Arg(1)
+    ->Arg(4)
+    ->Arg(10)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+#endif
+
+}  // namespace
+}  // namespace tristim
