@@ -179,7 +179,9 @@ TEST(Inks, GoFromAllInksToPaperInEqualSteps) {
   ASSERT_EQ(duotone.size(), 16U);
   EXPECT_EQ(duotone.front(), (Color8{0, 0, 0}));
   EXPECT_GT(duotone[8].r, duotone[8].b + 50);  // the middle is orange
-  for (std::size_t i = 1; i < duotone.size(); ++i) EXPECT_GT(duotone[i].g, duotone[i - 1].g);
+  for (std::size_t i = 1; i < duotone.size(); ++i) {
+    EXPECT_GT(duotone[i].r + duotone[i].g, duotone[i - 1].r + duotone[i - 1].g);
+  }
   EXPECT_EQ(tones(5, {blue, blue, blue}).size(), 5U);
 }
 
