@@ -136,18 +136,10 @@ Color MixPalette::bounded(const Color& color) const noexcept {
 
 void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
                          std::span<std::uint16_t> indices) {
-  if (palette.mix() == Mix::kEncoded) {
-    for (std::size_t x = 0; x < indices.size(); ++x) {
-      indices[x] = static_cast<std::uint16_t>(palette.nearest(palette.from_light(&rgb[3 * x])));
-    }
-    return;
-  }
-  std::vector<float> mixable(rgb.size());
-  for (std::size_t i = 0; i < rgb.size(); i += 3) {
-    const Color color = palette.from_light(&rgb[i]);
-    std::copy(color.begin(), color.end(), &mixable[i]);
-  }
-  palette.nearest_row(mixable, indices);
+  // Not moved into the hull first: nothing is mixed, and the nearest entry is nearest as it is.
+  std::vector<float> light(rgb.size());
+  for (std::size_t i = 0; i < rgb.size(); ++i) light[i] = std::clamp(rgb[i], 0.0F, 1.0F);
+  palette.nearest_row(light, indices);
 }
 
 void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matrix, int y,

@@ -339,8 +339,7 @@ std::vector<Setting> make_settings() {
        }},
       {"metric", list_names(kMetrics, "|"),
        "space in which the nearest colour is chosen; default: oklab, dithered oklab-toe, of a "
-       "chosen "
-       "palette balanced",
+       "chosen palette balanced",
        [](Settings& s, std::string_view v) {
          return choose("metric", kMetrics, v, [&](const Metric& m) { s.metric = &m; });
        }},

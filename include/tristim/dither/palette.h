@@ -39,11 +39,10 @@ class MixPalette {
   /// The nearest entry of a colour given in the numbers of the mix.
   int nearest(const Color& color) const noexcept;
 
-  /// The same for a row of pixels of light.
+  /// The nearest entry of each pixel of a row of light.
   void nearest_row(std::span<const float> light, std::span<std::uint16_t> indices) const {
     nearest_.find_row(light, indices);
   }
-  Mix mix() const noexcept { return mix_; }
 
   /// The entry that `color`, in the numbers of the mix, is already; -1 where it is none.
   int equal_entry(const Color& color) const noexcept;
