@@ -2,6 +2,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,12 +26,29 @@ ThresholdMatrix ranked(int size, const std::vector<std::size_t>& order) {
   return matrix;
 }
 
+// The order of a torus' cells; the last one made is kept, for a device's channels and an
+// animation's frames ask for the same one after the other.
+std::vector<std::size_t> order_of(const detail::Torus& torus, std::uint64_t seed) {
+  struct Kept {
+    detail::Torus torus;
+    std::uint64_t seed;
+    std::vector<std::size_t> order;
+  };
+  static std::mutex mutex;
+  static std::optional<Kept> last;
+  const std::scoped_lock lock(mutex);
+  if (!last || last->torus != torus || last->seed != seed) {
+    last = Kept{torus, seed, detail::void_and_cluster(torus, seed)};
+  }
+  return last->order;
+}
+
 // One slice of a stack; within it the order of the whole stack ranks the cells.
 std::vector<std::size_t> slice_order(int size, int slice, std::uint64_t seed) {
   const std::size_t cells = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   const std::size_t first = static_cast<std::size_t>(slice) * cells;
   std::vector<std::size_t> order;
-  for (const std::size_t cell : detail::void_and_cluster({size, size, kBlueNoiseFrames}, seed)) {
+  for (const std::size_t cell : order_of({size, size, kBlueNoiseFrames}, seed)) {
     if (cell >= first && cell < first + cells) order.push_back(cell - first);
   }
   return order;
@@ -72,8 +91,7 @@ ThresholdMatrix blue_noise_matrix(const MatrixParameters& parameters) {
     matrix.rank.assign(kBuiltIn.begin(), kBuiltIn.end());
     return moved(matrix, parameters.channel);
   }
-  return moved(ranked(size, detail::void_and_cluster({size, size, 1}, parameters.seed)),
-               parameters.channel);
+  return moved(ranked(size, order_of({size, size, 1}, parameters.seed)), parameters.channel);
 }
 
 }  // namespace tristim

@@ -16,6 +16,7 @@ struct Torus {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
            static_cast<std::size_t>(slices);
   }
+  friend constexpr bool operator==(const Torus&, const Torus&) = default;
 };
 
 /// Dots on a torus, and how crowded each of its cells is: the sum of a Gaussian around every dot of
