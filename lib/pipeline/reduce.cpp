@@ -1,11 +1,13 @@
 #include "tristim/pipeline/reduce.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "lib/color/curve_table.h"
+#include "lib/dither/planes.h"
 #include "lib/pipeline/ink_planes.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
@@ -175,6 +177,7 @@ struct Reducer::State {
                        std::span<const float> strength);
   void reduce_row(const Band& band, int row, std::span<std::uint16_t> out);
   void reduce_whole(const Band& band, ImageView<std::uint16_t> codes);
+  void diffuse_levels(const Band& band, ImageView<std::uint16_t> codes);
   bool dithered() const noexcept { return !std::holds_alternative<NoDither>(options.dither); }
 };
 
@@ -289,6 +292,42 @@ void Reducer::State::reduce_row(const Band& band, int row, std::span<std::uint16
   }
 }
 
+// Error diffusion of channels without a mask: many rows of a channel at a time.
+void Reducer::State::diffuse_levels(const Band& band, ImageView<std::uint16_t> codes) {
+  const int width = band.view.width;
+  const int height = band.view.height;
+  const auto rows = [&](std::size_t channel, ImageView<float> light,
+                        ImageView<std::uint16_t> channel_codes) {
+    if (options.mix == Mix::kEncoded) {
+      for (int y = 0; y < height; ++y) {
+        for (float& v : light.row(y)) v = detail::srgb_encode_table()(v);
+      }
+    }
+    std::get<LevelDiffusion>(channels[channel]).rows(light, channel_codes);
+  };
+  if (samples == 1) {
+    for (int y = 0; y < height; ++y) grey_row(band.view.row(y));
+    return rows(0, {band.view.data, width, height, 1, band.view.stride}, codes);
+  }
+  std::array<Image, 3> light;
+  std::array<Raster<std::uint16_t>, 3> plane;
+  for (std::size_t c = 0; c < 3; ++c) {
+    light[c] = Image(width, height, 1);
+    plane[c] = Raster<std::uint16_t>(width, height, 1);
+  }
+  for (int y = 0; y < height; ++y) {
+    detail::split_row(band.view.row(y),
+                      {light[0].view().row(y).data(), light[1].view().row(y).data(),
+                       light[2].view().row(y).data()});
+  }
+  for (std::size_t c = 0; c < 3; ++c) rows(c, light[c].view(), plane[c].view());
+  for (int y = 0; y < height; ++y) {
+    detail::join_row({plane[0].view().row(y).data(), plane[1].view().row(y).data(),
+                      plane[2].view().row(y).data()},
+                     codes.row(y));
+  }
+}
+
 // A method for whole pictures sees one channel after the other.
 void Reducer::State::reduce_whole(const Band& band, ImageView<std::uint16_t> codes) {
   Image light(band.view.width, band.view.height, 1);
@@ -373,6 +412,11 @@ bool Reducer::whole_picture() const noexcept {
 
 void Reducer::reduce(Band band, ImageView<std::uint16_t> codes) {
   if (whole_picture()) return state_->reduce_whole(band, codes);
+  const bool whole_strength =
+      state_->options.parameters.strength == 1 && band.dither_mask.data == nullptr;
+  if (in_order() && !state_->palette && whole_strength) {
+    return state_->diffuse_levels(band, codes);
+  }
   for (int i = 0; i < band.view.height; ++i) state_->reduce_row(band, i, codes.row(i));
 }
 

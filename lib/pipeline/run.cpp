@@ -49,10 +49,12 @@ void keep_wanted(Work& work, std::span<BandObserver* const> observers, int stage
 }  // namespace
 
 int band_rows(const PictureInfo& info) noexcept {
-  constexpr std::int64_t kBandBytes = 2 << 20;
+  constexpr std::int64_t kBandBytes = 3 << 20;
+  constexpr std::int64_t kTogether = 64;  // rows that error diffusion works on at once
   constexpr std::int64_t kMostRows = 256;
   const std::int64_t row_bytes = std::int64_t{info.width} * 3 * static_cast<int>(sizeof(float));
-  const std::int64_t rows = std::clamp(kBandBytes / row_bytes, std::int64_t{1}, kMostRows);
+  std::int64_t rows = std::clamp(kBandBytes / row_bytes, std::int64_t{1}, kMostRows);
+  if (rows > kTogether) rows -= rows % kTogether;
   const std::int64_t chunk = std::max(info.chunk_rows, 1);
   return static_cast<int>(rows >= chunk ? rows / chunk * chunk : rows);
 }

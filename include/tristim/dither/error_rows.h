@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "tristim/dither/kernel.h"
@@ -31,6 +32,11 @@ class ErrorRows {
     rows_[0][index(x + direction, channel)] += error * tone.next;
     rows_[1][index(x - direction, channel)] += error * tone.below_last;
     rows_[1][index(x, channel)] += error * tone.below;
+  }
+
+  /// What the pixels of the current row have received, of one channel.
+  std::span<float> received_row() noexcept {
+    return std::span(rows_[0]).subspan(kMargin, rows_[0].size() - 2 * kMargin);
   }
 
   /// Goes on to the next row.

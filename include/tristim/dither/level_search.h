@@ -17,6 +17,10 @@ class LevelSearch {
   /// How many are <= value; 0 for NaN.
   int count_not_above(float value) const noexcept;
 
+  std::span<const float> thresholds() const noexcept {
+    return std::span(thresholds_).first(thresholds_.size() - 1);
+  }
+
  private:
   std::vector<float> thresholds_;     // and a NaN that ends every walk
   std::vector<std::uint16_t> start_;  // by bin of a positive float

@@ -2,14 +2,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "tristim/dither/error_rows.h"
 #include "tristim/dither/kernel.h"
 #include "tristim/dither/level_search.h"
+#include "tristim/image/view.h"
 
 namespace tristim {
+
+namespace detail {
+struct LevelTable;
+}
 
 /// One channel of a row inside interleaved samples.
 template <typename T>
@@ -66,6 +72,10 @@ class LevelDiffusion {
   void row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out,
            std::span<const float> strength = {});
 
+  /// The next rows of a channel by itself: what row() makes of them one after the other, several at
+  /// a time where the kernel and the levels allow.
+  void rows(ImageView<const float> in, ImageView<std::uint16_t> out);
+
  private:
   struct Place {
     int x, y;
@@ -83,6 +93,7 @@ class LevelDiffusion {
   int width_;
   int y_ = 0;
   ErrorRows errors_;
+  std::shared_ptr<const detail::LevelTable> table_;  // of the fast rows, when they are first asked
 };
 
 }  // namespace tristim
