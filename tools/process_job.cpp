@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "tools/cli.h"
 #include "tools/process_report.h"
@@ -17,6 +19,7 @@
 #include "tristim/frame/io/write.h"
 #include "tristim/image/io/exr.h"
 #include "tristim/image/io/read.h"
+#include "tristim/palette/mixing.h"
 #include "tristim/pipeline/chain.h"
 #include "tristim/pipeline/proof.h"
 
@@ -65,7 +68,12 @@ Display with_chosen_palette(const Display& display, const PaletteChoice& choice,
   const StageList stages = stage_list(picture->info(), display, options.settings);
   const Histogram counted = histogram(*picture, stages, display, {.threads = options.threads},
                                       options.settings.palette_weights);
-  return with_palette(display, build_palette(counted, *choice.method, wanted));
+  std::vector<Color8> palette = build_palette(counted, *choice.method, wanted);
+  const bool dithered = !std::holds_alternative<NoDither>(
+      reduce_options(with_palette(display, palette), options.settings).dither);
+  const bool free = choice.method->name == "best";  // the others are what their sources say
+  if (dithered && free) palette = refine_for_mixing(counted, std::move(palette));
+  return with_palette(display, palette);
 }
 
 // The strength of the dither, turned and fitted as the picture is; null where none was asked for.

@@ -18,6 +18,10 @@ using Color = MixPalette::Color;
 // seven inks came out yellow.
 constexpr float kSlack = 2;
 
+// Of an error where the palette was chosen for the picture. Undamped, what it cannot mix adds up
+// until whole areas are wrong: a mean S-CIELAB of 3.1 in place of 2.4 at 16 colours.
+constexpr float kDamped = 0.95F;
+
 constexpr int kPlanLength =
     16;  // entries of a plan: 64 gains nothing that the eye sees at 7 to 16 colours
 
@@ -33,6 +37,15 @@ Color clipped(const float* rgb) noexcept {
 Color encoded(const Color& c) noexcept {
   const detail::CurveTable& encode = detail::srgb_encode_table();
   return {encode(c[0]), encode(c[1]), encode(c[2])};
+}
+
+// Whether a palette mixes every colour of the screen.
+bool holds_cube(const MixPalette& palette) noexcept {
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto bit = [corner](int channel) { return static_cast<float>(corner >> channel & 1); };
+    if (palette.equal_entry({bit(0), bit(1), bit(2)}) < 0) return false;
+  }
+  return true;
 }
 
 using Plan = std::array<int, kPlanLength>;
@@ -77,8 +90,8 @@ int pair_entry(const MixPalette& palette, const Color& color, const ThresholdMat
 
 }  // namespace
 
-MixPalette::MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix mix)
-    : nearest_(palette, metric), mix_(mix), hull_({}), rank_(palette.size()) {
+MixPalette::MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix mix, Beyond beyond)
+    : nearest_(palette, metric), metric_(metric), mix_(mix), hull_({}), rank_(palette.size()) {
   for (const Rgb& c : palette) {
     Color entry{static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
     if (mix == Mix::kEncoded) entry = encoded(entry);
@@ -98,7 +111,11 @@ MixPalette::MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix m
     low_[c] -= slack;
     high_[c] += slack;
   }
-  hull_ = PaletteHull(entries_);
+  if (beyond == Beyond::kMoved) {
+    hull_ = PaletteHull(entries_);
+  } else if (!holds_cube(*this)) {
+    passed_on_ = kDamped;
+  }
   std::vector<std::size_t> order(palette.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -118,8 +135,13 @@ int MixPalette::nearest(const Color& color) const noexcept {
   return nearest_.find({decode(color[0]), decode(color[1]), decode(color[2])});
 }
 
+std::array<float, 3> MixPalette::place(const Color& color) const noexcept {
+  if (mix_ == Mix::kLight) return metric_.place({color[0], color[1], color[2]});
+  const detail::CurveTable& decode = detail::srgb_decode_table();
+  return metric_.place({decode(color[0]), decode(color[1]), decode(color[2])});
+}
+
 int MixPalette::equal_entry(const Color& color) const noexcept {
-  constexpr float kEqual = 1e-5F;  // what the way through XYZ leaves
   const auto equal = [&color](const Color& entry) {
     return std::abs(entry[0] - color[0]) < kEqual && std::abs(entry[1] - color[1]) < kEqual &&
            std::abs(entry[2] - color[2]) < kEqual;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lib/dither/nearest_cells.h"
 #include "lib/dither/position_noise.h"
 #include "lib/dither/settle.h"
 #include "tristim/dither/palette.h"
@@ -10,6 +11,8 @@ namespace tristim {
 namespace {
 
 using Color = MixPalette::Color;
+
+constexpr int kChannels = 4;  // of the errors: three, and one that fills a vector
 
 float share_of(std::span<const float> strength, int x) noexcept {
   return strength.empty() ? 1 : strength[static_cast<std::size_t>(x)];
@@ -41,12 +44,16 @@ float tone_of(const MixPalette& palette, const Color& color) noexcept {
 PaletteDiffusion::PaletteDiffusion(const MixPalette& palette, int width,
                                    const DiffusionOptions& options)
     : palette_(&palette),
+      cells_(std::make_unique<detail::NearestCells>(palette)),
       options_(options),
       seed_(detail::noise_seed(options.seed)),
       width_(width),
-      errors_(*options.kernel, width, 3) {
+      errors_(*options.kernel, width, kChannels) {
   if (options.kernel->tones != nullptr) tones_ = options.kernel->tones();
 }
+
+PaletteDiffusion::PaletteDiffusion(PaletteDiffusion&&) noexcept = default;
+PaletteDiffusion::~PaletteDiffusion() = default;
 
 // By how much chance raises the threshold.
 Color PaletteDiffusion::threshold(Place place, const float* rgb, float jitter) const noexcept {
@@ -62,26 +69,27 @@ Color PaletteDiffusion::threshold(Place place, const float* rgb, float jitter) c
 // Takes an entry for a pixel and shares out the error.
 int PaletteDiffusion::choose(Place place, const float* rgb, float jitter, float share) noexcept {
   Color color = palette_->from_light(rgb);
-  if (const int entry = palette_->equal_entry(color); entry >= 0) return entry;
-  for (int c = 0; c < 3; ++c) {
-    color[static_cast<std::size_t>(c)] += errors_.received(place.x, c) * share;
-  }
+  if (const int entry = cells_->equal_entry(color); entry >= 0) return entry;
+  const std::array<float, kChannels> received = errors_.received(place.x);
+  for (std::size_t c = 0; c < 3; ++c) color[c] += received[c] * share;
   color = palette_->bounded(color);
   Color compared = color;
   if (jitter > 0 || !tones_.empty()) {
     const Color raise = threshold(place, rgb, jitter);
     for (std::size_t c = 0; c < 3; ++c) compared[c] -= raise[c];
   }
-  const int index = palette_->nearest(compared);
+  const int index = cells_->nearest(compared);
   const Color& got = palette_->entry(index);
+  const float passed = share * palette_->passed_on();
+  std::array<float, kChannels> error{};
+  for (std::size_t c = 0; c < 3; ++c) error[c] = (color[c] - got[c]) * passed;
+  if (tones_.empty()) {
+    errors_.spread(place.x, error, place.direction);
+    return index;
+  }
   for (int c = 0; c < 3; ++c) {
     const auto channel = static_cast<std::size_t>(c);
-    const float error = (color[channel] - got[channel]) * share;
-    if (tones_.empty()) {
-      errors_.spread(place.x, c, error, place.direction);
-    } else {
-      errors_.spread(place.x, c, error, place.direction, tones_[tone_index(rgb[channel])]);
-    }
+    errors_.spread(place.x, c, error[channel], place.direction, tones_[tone_index(rgb[channel])]);
   }
   return index;
 }

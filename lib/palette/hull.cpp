@@ -173,8 +173,13 @@ PaletteHull::Color PaletteHull::towards(const Color& color, const Color& anchor)
 
 PaletteHull::Color PaletteHull::inside(const Color& color) const noexcept {
   if (faces_.empty()) return color;
+  const Color flat = flattened(color);
+  const bool mixable = std::all_of(faces_.begin(), faces_.end(), [&flat](const HalfSpace& face) {
+    return face.n[0] * flat[0] + face.n[1] * flat[1] + face.n[2] * flat[2] - face.d <= kRounding;
+  });
+  if (mixable) return flat;
   const float grey = 0.2126F * color[0] + 0.7152F * color[1] + 0.0722F * color[2];
-  return towards(flattened(color), towards(flattened({grey, grey, grey}), centre_));
+  return towards(flat, towards(flattened({grey, grey, grey}), centre_));
 }
 
 }  // namespace tristim

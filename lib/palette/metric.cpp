@@ -17,6 +17,10 @@ namespace {
 // S-CIELAB difference from the original (18.6).
 constexpr double kToe = 0.3;
 
+// Beside colour, which the eye blurs more: errors of lightness are those that it sees. 3-3-2
+// diffused: a mean S-CIELAB of 1.34 without, 1.13 at 1.5, 1.06 at 2, where 16 colours lose.
+constexpr double kLightness = 1.5;
+
 // Share of the codes in the balanced metric.
 constexpr float kCodes = 0.5F;
 
@@ -56,7 +60,7 @@ std::array<float, 3> oklab_place(Rgb linear_srgb) noexcept {
 
 std::array<float, 3> oklab_toe_place(Rgb linear_srgb) noexcept {
   const Oklab c = linear_srgb_to_oklab_with_toe(linear_srgb, kToe);
-  return floats(c.l, c.a, c.b);
+  return floats(kLightness * c.l, c.a, c.b);
 }
 
 std::array<float, 3> lab_place(Rgb linear_srgb) noexcept {

@@ -189,7 +189,8 @@ void Reducer::State::set_up_palette(int width) {
     const Eigen::Vector3d srgb = to_srgb * Eigen::Vector3d(c.r, c.g, c.b);
     entries.push_back({srgb.x(), srgb.y(), srgb.z()});
   }
-  palette.emplace(entries, options.metric, options.mix);
+  palette.emplace(entries, options.metric, options.mix,
+                  display.palette_has_white ? Beyond::kMoved : Beyond::kDamped);
   srgb_from_device = to_srgb.cast<float>();
   if (const auto* kernel = std::get_if<DiffusionKernel>(&options.dither)) {
     diffusion.emplace(*palette, width, diffusion_options(*kernel, options.parameters));

@@ -27,6 +27,18 @@ class ErrorRows {
     }
   }
 
+  /// All of four channels.
+  std::array<float, 4> received(int x) const noexcept {
+    const float* from = &rows_[0][index(x, 0)];
+    return {from[0], from[1], from[2], from[3]};
+  }
+  void spread(int x, const std::array<float, 4>& error, int direction) noexcept {
+    for (const Tap& tap : taps_) {
+      float* to = &rows_[tap.row][index(x + direction * tap.dx, 0)];
+      for (std::size_t c = 0; c < 4; ++c) to[c] += error[c] * tap.weight;
+    }
+  }
+
   /// The same by the weights of a tone.
   void spread(int x, int channel, float error, int direction, const ToneWeights& tone) noexcept {
     rows_[0][index(x + direction, channel)] += error * tone.next;

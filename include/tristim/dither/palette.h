@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,10 @@
 #include "tristim/palette/nearest.h"
 
 namespace tristim {
+
+namespace detail {
+class NearestCells;
+}
 
 /// In which numbers colours are mixed and errors counted.
 enum class Mix {
@@ -25,11 +30,19 @@ struct NamedMix {
 };
 inline constexpr NamedMix kMixes[] = {{"light", Mix::kLight}, {"encoded", Mix::kEncoded}};
 
+/// What becomes of colours that a palette cannot mix.
+enum class Beyond {
+  kMoved,   ///< they come inside its hull: what it can mix keeps its tone exactly
+  kDamped,  ///< they stay, and a twentieth of each error is dropped so that what they owe fades:
+            ///< for palettes chosen for a picture, with colours all around their hull
+};
+
 /// A palette to reduce to: chosen in a metric, mixed in light or in encoded numbers.
 class MixPalette {
  public:
   /// `palette` in linear sRGB, 1 to 65536 entries.
-  MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix mix);
+  MixPalette(std::span<const Rgb> palette, const Metric& metric, Mix mix,
+             Beyond beyond = Beyond::kMoved);
 
   using Color = std::array<float, 3>;
 
@@ -43,6 +56,12 @@ class MixPalette {
   void nearest_row(std::span<const float> light, std::span<std::uint16_t> indices) const {
     nearest_.find_row(light, indices);
   }
+
+  /// Where the metric places a colour given in the numbers of the mix.
+  std::array<float, 3> place(const Color& color) const noexcept;
+
+  /// How near a colour must be to an entry to be it: what the way through XYZ leaves.
+  static constexpr float kEqual = 1e-5F;
 
   /// The entry that `color`, in the numbers of the mix, is already; -1 where it is none.
   int equal_entry(const Color& color) const noexcept;
@@ -58,16 +77,21 @@ class MixPalette {
   /// less one.
   const Color& step() const noexcept { return step_; }
 
+  /// The share of an error that diffusion passes on.
+  float passed_on() const noexcept { return passed_on_; }
+
   /// Order of the entries by luminance, for ordered dither: position in it.
   int luminance_rank(int index) const noexcept { return rank_[static_cast<std::size_t>(index)]; }
 
  private:
   NearestColor nearest_;
+  Metric metric_;
   Mix mix_;
   PaletteHull hull_;
   std::vector<Color> entries_;
   std::vector<int> rank_;
   Color low_{}, high_{}, step_{};
+  float passed_on_ = 1;
 };
 
 /// The nearest entry of each pixel.
@@ -82,12 +106,15 @@ void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matri
                          std::span<const float> rgb, std::span<std::uint16_t> indices,
                          std::span<const float> strength = {}) noexcept;
 
-/// Error diffusion to a palette [FloydSteinberg76]: the nearest entry in the metric, the error in
-/// the numbers of the mix. Colours that the palette cannot mix are moved inside its hull first.
-/// Rows must come in order.
+/// Error diffusion to a palette [FloydSteinberg76]: the nearest entry in the metric, by its
+/// tangents in small cells, the error in the numbers of the mix. Colours that the palette
+/// cannot mix are moved inside its hull first. Rows must come in order.
 class PaletteDiffusion {
  public:
   PaletteDiffusion(const MixPalette& palette, int width, const DiffusionOptions& options);
+  PaletteDiffusion(PaletteDiffusion&&) noexcept;
+  ~PaletteDiffusion();
+
   /// The next row. `strength`, pixel by pixel, 0 .. 1, is the share of the error that is passed on;
   /// empty: 1.
   void row(std::span<const float> rgb, std::span<std::uint16_t> indices,
@@ -103,6 +130,7 @@ class PaletteDiffusion {
   void settle(std::span<const float> first, std::span<const float> strength);
 
   const MixPalette* palette_;  // outlives this
+  std::unique_ptr<detail::NearestCells> cells_;
   DiffusionOptions options_;
   std::span<const ToneWeights> tones_;
   std::uint32_t seed_;
