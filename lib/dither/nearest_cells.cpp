@@ -14,6 +14,10 @@ constexpr int kBelow = 5;
 constexpr int kBelowOne = 49;
 constexpr int kAll = 1 << ColorGrid::kBits;
 
+// An entry is left out of a cell only where it is this much too far for the tangents, which are not
+// the metric itself.
+constexpr float kRoom = 1.1F;
+
 // The square root is what the eye makes of light, roughly; the toe keeps its slope finite at 0.
 double height(double light) {
   constexpr double kToe = 0.01;
@@ -30,10 +34,9 @@ int cell_number(double value) {
   return first + std::min(static_cast<int>(part * (last - first)), last - first - 1);
 }
 
-float distance2(const Color& a, const Color& b) {
-  float sum = 0;
-  for (std::size_t c = 0; c < 3; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
-  return sum;
+bool same(const Color& a, const Color& b) {
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [](float x, float y) { return std::abs(x - y) < MixPalette::kEqual; });
 }
 
 }  // namespace
@@ -75,46 +78,59 @@ void NearestCells::fill(std::size_t cell) {
   const Color reach = grid_.reach(cell);
   const Color place = palette_->place(middle);
   std::array<Color, 3> tangent{};  // by number of the colour
-  float radius = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     Color beside = middle;
     beside[c] += reach[c];
     const Color there = palette_->place(beside);
-    radius += std::sqrt(distance2(place, there));
     for (std::size_t i = 0; i < 3; ++i) tangent[c][i] = (there[i] - place[i]) / reach[c];
   }
-  std::vector<float> distance;
-  for (const Color& entry : place_) distance.push_back(std::sqrt(distance2(place, entry)));
-  const float bound = *std::min_element(distance.begin(), distance.end()) + 2 * radius;
-  cells_[cell].first = static_cast<std::uint32_t>(candidates_.size());
-  for (std::size_t i = 0; i < place_.size(); ++i) {
-    if (distance[i] > bound) continue;
-    const Color& entry = place_[i];
-    Candidate candidate{{}, 0, static_cast<std::int32_t>(i)};
+  std::vector<Candidate> all;
+  for (const Color& entry : place_) {
+    Candidate candidate{{}, 0, static_cast<std::int32_t>(all.size())};
     for (std::size_t k = 0; k < 3; ++k) {
       candidate.height += entry[k] * entry[k] - 2 * entry[k] * place[k];
       for (std::size_t c = 0; c < 3; ++c) candidate.slope[c] -= 2 * entry[k] * tangent[c][k];
     }
+    all.push_back(candidate);  // its height is that of the middle as yet
+  }
+  const Candidate best =
+      *std::min_element(all.begin(), all.end(),
+                        [](const Candidate& a, const Candidate& b) { return a.height < b.height; });
+  cells_[cell].first = static_cast<std::uint32_t>(candidates_.size());
+  for (Candidate& candidate : all) {
+    float gain = 0;  // at most, on the way from the middle to a corner
+    for (std::size_t c = 0; c < 3; ++c) {
+      gain += std::abs(candidate.slope[c] - best.slope[c]) * reach[c];
+    }
+    if (candidate.height - best.height > gain * kRoom) continue;
     for (std::size_t c = 0; c < 3; ++c) candidate.height -= candidate.slope[c] * middle[c];
     candidates_.push_back(candidate);
     ++cells_[cell].count;
   }
 }
 
+std::span<const NearestCells::Candidate> NearestCells::candidates(std::size_t cell) {
+  if (cells_[cell].count == 0) fill(cell);
+  return std::span(candidates_).subspan(cells_[cell].first, cells_[cell].count);
+}
+
+int NearestCells::equal_candidate(const Color& color) {
+  for (const Candidate& candidate : candidates(grid_.cell(color))) {
+    if (same(color, palette_->entry(candidate.entry))) return candidate.entry;
+  }
+  return -1;
+}
+
 int NearestCells::nearest(const Color& color) {
-  const std::size_t at = grid_.cell(color);
-  if (cells_[at].count == 0) fill(at);
-  const Candidate* candidate = &candidates_[cells_[at].first];
-  const Candidate* const end = candidate + cells_[at].count;
-  int best = candidate->entry;
+  int best = 0;
   float least = std::numeric_limits<float>::infinity();
-  for (; candidate != end; ++candidate) {
-    const std::array<float, 3>& slope = candidate->slope;
+  for (const Candidate& candidate : candidates(grid_.cell(color))) {
+    const std::array<float, 3>& slope = candidate.slope;
     const float height =
-        ((slope[0] * color[0] + slope[1] * color[1]) + slope[2] * color[2]) + candidate->height;
+        ((slope[0] * color[0] + slope[1] * color[1]) + slope[2] * color[2]) + candidate.height;
     if (height < least) {
       least = height;
-      best = candidate->entry;
+      best = candidate.entry;
     }
   }
   return best;

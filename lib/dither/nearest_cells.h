@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tristim/dither/palette.h"
@@ -58,8 +59,8 @@ class NearestCells {
   int nearest(const MixPalette::Color& color);
 
   /// The entry that `color` is already; -1 where it is none.
-  int equal_entry(const MixPalette::Color& color) const noexcept {
-    return holds_entry_[grid_.cell(color)] ? palette_->equal_entry(color) : -1;
+  int equal_entry(const MixPalette::Color& color) {
+    return holds_entry_[grid_.cell(color)] ? equal_candidate(color) : -1;
   }
 
  private:
@@ -73,6 +74,8 @@ class NearestCells {
     std::uint32_t first = 0;
     std::uint32_t count = 0;  // of candidates; 0: not known yet
   };
+  std::span<const Candidate> candidates(std::size_t cell);
+  int equal_candidate(const MixPalette::Color& color);
   void fill(std::size_t cell);
 
   const MixPalette* palette_;

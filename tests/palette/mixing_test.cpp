@@ -24,9 +24,9 @@ TEST(RefineForMixing, MovesColoursApart) {
   ASSERT_EQ(outer.size(), inner.size());
   EXPECT_LT(outer[0].r, 60);
   EXPECT_LT(outer[0].g, 60);
-  EXPECT_GT(outer[1].r, 225);
-  EXPECT_GT(outer[2].g, 225);
-  EXPECT_GT(std::min(outer[3].r, outer[3].g), 225);
+  EXPECT_GT(outer[1].r, 210);
+  EXPECT_GT(outer[2].g, 210);
+  EXPECT_GT(std::min(outer[3].r, outer[3].g), 210);
   for (const Color8& c : outer) EXPECT_EQ(c.b, 0);
 }
 

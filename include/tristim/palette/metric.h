@@ -23,7 +23,7 @@ void place_row(const Metric& metric, std::span<float> pixels);
 
 std::array<float, 3> oklab_place(Rgb linear_srgb) noexcept;
 /// Oklab with a toe: without the infinite slope at black, at which a diffused error flips between
-/// entries, and with half as much again of lightness. For choosing while dithering, where colours
+/// entries, and with more weight on lightness. For choosing while dithering, where colours
 /// go below black.
 std::array<float, 3> oklab_toe_place(Rgb linear_srgb) noexcept;
 std::array<float, 3> lab_place(Rgb linear_srgb) noexcept;
