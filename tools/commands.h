@@ -31,7 +31,7 @@ inline constexpr Command kCommands[] = {
     {"palette", "show|convert|check ... [options]", "show, convert and check palettes",
      run_palette},
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
-    {"halftone", "matrix|patterns|judge|levels|cells|screen ... [options]",
+    {"halftone", "matrix|patterns|judge|levels|cells|screen|gallery ... [options]",
      "threshold matrices, patterns, cells and screens, made and judged", run_halftone},
     {"device", "list|show|check [D...] [options]", "list, show and check devices", run_device},
     {"info", "FILE... [options]", "what a picture file is", run_info},

@@ -14,6 +14,7 @@ void run_halftone_judge(Arguments arguments);
 void run_halftone_levels(Arguments arguments);
 void run_halftone_cells(Arguments arguments);
 void run_halftone_screen(Arguments arguments);
+void run_halftone_gallery(Arguments arguments);
 
 /// What `tristim halftone` does. The command and its help read this list.
 inline constexpr Command kHalftoneJobs[] = {
@@ -29,6 +30,8 @@ inline constexpr Command kHalftoneJobs[] = {
      "a picture with a cell of device pixels for each pixel", run_halftone_cells},
     {"halftone screen", "[options]",
      "what dots make of a ruling and an angle: cells, levels, moire", run_halftone_screen},
+    {"halftone gallery", "IN -o OUT [options]",
+     "a picture and a ramp by every dither on one sheet, with its figures", run_halftone_gallery},
 };
 
 /// The job of kHalftoneJobs called `name`, without "halftone "; nullptr where there is none.
