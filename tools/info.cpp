@@ -1,7 +1,10 @@
 #include "tools/commands.h"
+#include "tools/palette_source.h"
 #include "tools/report.h"
+#include "tools/spool.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
+#include "tristim/image/io/indexed.h"
 #include "tristim/image/io/read.h"
 
 namespace tristim::tools {
@@ -13,6 +16,72 @@ constexpr std::string_view kExamples =
     "  tristim render spheres -o spheres.exr\n"
     "  tristim info spheres.exr\n"
     "  tristim info spheres.exr --json\n";
+
+// Positions as runs: "0-7 9 12-15".
+std::string runs_text(const std::vector<std::size_t>& positions) {
+  std::string text;
+  for (std::size_t i = 0; i < positions.size();) {
+    std::size_t end = i + 1;
+    while (end < positions.size() && positions[end] == positions[end - 1] + 1) ++end;
+    if (!text.empty()) text += " ";
+    text += std::to_string(positions[i]);
+    if (end - i > 1) text += (end - i > 2 ? "-" : " ") + std::to_string(positions[end - 1]);
+    i = end;
+  }
+  return text;
+}
+
+std::vector<std::size_t> used_positions(const PaletteSource& source) {
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < source.pixels.size(); ++i) {
+    if (source.pixels[i] > 0) used.push_back(i);
+  }
+  return used;
+}
+
+// What a file of positions in a palette has of one.
+struct IndexFacts {
+  PaletteSource source;
+  int pictures = 1;
+};
+
+std::optional<IndexFacts> index_facts(const std::string& path) {
+  const auto picture = read_indexed_picture(path);
+  if (!picture) return std::nullopt;
+  return IndexFacts{palette_source(path, *picture), picture->pictures};
+}
+
+void add_palette(Json& json, const IndexFacts& facts) {
+  const auto& colors = facts.source.palette.colors;
+  Json palette = Json::array();
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    Json one{{"index", i}, {"hex", hex_text(colors[i].color)}};
+    if (colors[i].alpha < 1) one["alpha"] = colors[i].alpha;
+    one["pixels"] = facts.source.pixels[i];
+    palette.push_back(one);
+  }
+  json["pictures"] = facts.pictures;
+  json["palette"] = palette;
+  json["used"] = used_positions(facts.source);
+}
+
+// The colours with their positions and pixels, a few in a line.
+std::string palette_text(const PaletteSource& source) {
+  constexpr std::size_t kInLine = 4;
+  const auto& colors = source.palette.colors;
+  std::string text;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    std::string cell = std::to_string(i);
+    cell.insert(0, 4 - std::min<std::size_t>(cell.size(), 4), ' ');
+    cell += " " + hex_text(colors[i].color);
+    if (colors[i].alpha < 1) cell += "/" + rounded(colors[i].alpha, 3);
+    cell += " " + std::to_string(source.pixels[i]);
+    const bool last = i + 1 == colors.size() || i % kInLine == kInLine - 1;
+    if (!last) cell.resize(std::max<std::size_t>(cell.size(), 22), ' ');
+    text += cell + (last ? "\n" : "");
+  }
+  return text;
+}
 
 Json xy_json(Chromaticity c) { return Json::array({c.x, c.y}); }
 
@@ -71,6 +140,15 @@ std::string facts_text(const std::string& path, const PictureFacts& facts) {
   return text;
 }
 
+std::string indices_text(const IndexFacts& facts) {
+  const std::vector<std::size_t> used = used_positions(facts.source);
+  std::string text;
+  if (facts.pictures > 1) text += "  pictures      " + std::to_string(facts.pictures) + "\n";
+  return text + "  palette       " + std::to_string(facts.source.palette.colors.size()) +
+         " colours, " + std::to_string(used.size()) + " used: " + runs_text(used) + "\n" +
+         palette_text(facts.source);
+}
+
 }  // namespace
 
 void run_info(Arguments arguments) {
@@ -81,8 +159,17 @@ void run_info(Arguments arguments) {
   line.flag("--json", "print the facts as JSON, a line a file", json);
   if (!line.parse(arguments)) return;
   for (const std::string& file : files) {
+    if (file == "-") make_rereadable(file);
     const PictureFacts facts = picture_facts(file);
-    print(json ? json_line(facts_json(file, facts)) : facts_text(file, facts));
+    const auto indices = index_facts(file);
+    if (json) {
+      Json all = facts_json(file, facts);
+      if (indices) add_palette(all, *indices);
+      print(json_line(all));
+      continue;
+    }
+    print(facts_text(file, facts));
+    if (indices) print(indices_text(*indices));
   }
 }
 

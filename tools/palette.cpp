@@ -14,6 +14,7 @@ std::string help() {
     text += line + std::string(action.summary) + "\n";
   }
   return text + "\ntristim palette <action> --help tells the options of an action.\n\nExamples:\n" +
+         "  tristim render spheres -o a.exr && tristim palette build a.exr -n 16 -o a.gpl\n"
          "  tristim palette show vga16\n"
          "  tristim palette convert vga16 vga.gpl\n"
          "  tristim palette check navy crimson '#228b22'\n";

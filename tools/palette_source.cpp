@@ -28,21 +28,9 @@ std::string head_of(const std::string& path) {
   return head;
 }
 
-PaletteSource indexed_source(const std::string& path, const IndexedPicture& picture) {
-  PaletteSource source{path, {}, std::vector<std::uint64_t>(picture.palette.size())};
-  for (const auto& [r, g, b, alpha] : picture.palette) {
-    source.palette.colors.push_back({{r / 255.0, g / 255.0, b / 255.0}, {}, alpha / 255.0});
-  }
-  const auto view = picture.positions.view();
-  for (int y = 0; y < view.height; ++y) {
-    for (const std::uint8_t position : view.row(y)) ++source.pixels[position];
-  }
-  return source;
-}
-
 PaletteSource picture_source(const std::string& path) {
   if (path == "-") make_rereadable(path);
-  if (const auto indexed = read_indexed_picture(path)) return indexed_source(path, *indexed);
+  if (const auto indexed = read_indexed_picture(path)) return palette_source(path, *indexed);
   constexpr std::size_t kMost = 256;
   PaletteSource source{path, {}, {}};
   for (const Histogram::Entry& entry : picture_histogram(path).entries()) {
@@ -67,6 +55,18 @@ PaletteColor color_of(const std::string& word, const std::string& option) {
 }
 
 }  // namespace
+
+PaletteSource palette_source(const std::string& path, const IndexedPicture& picture) {
+  PaletteSource source{path, {}, std::vector<std::uint64_t>(picture.palette.size())};
+  for (const auto& [r, g, b, alpha] : picture.palette) {
+    source.palette.colors.push_back({{r / 255.0, g / 255.0, b / 255.0}, {}, alpha / 255.0});
+  }
+  const auto view = picture.positions.view();
+  for (int y = 0; y < view.height; ++y) {
+    for (const std::uint8_t position : view.row(y)) ++source.pixels[position];
+  }
+  return source;
+}
 
 bool names_file(const std::vector<std::string>& words) {
   if (words.size() != 1 || parse_color(words.front())) return false;

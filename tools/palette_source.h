@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tristim/color/rgb.h"
+#include "tristim/image/io/indexed.h"
 #include "tristim/palette/palette.h"
 
 namespace tristim::tools {
@@ -23,6 +24,9 @@ struct PaletteSource {
 /// Throws Error: kContent for words that are no colours and for pictures without palette that have
 /// more than 256 colours, else as read_palette.
 PaletteSource load_palette(const std::vector<std::string>& words, const std::string& option);
+
+/// The palette of a picture of positions, with the pixels that have them.
+PaletteSource palette_source(const std::string& path, const IndexedPicture& picture);
 
 /// Whether the words name one file rather than colours.
 bool names_file(const std::vector<std::string>& words);

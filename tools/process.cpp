@@ -3,6 +3,7 @@
 #include "tools/commands.h"
 #include "tools/outputs.h"
 #include "tools/process_job.h"
+#include "tools/setting_options.h"
 #include "tools/spot_picture.h"
 #include "tristim/core/error.h"
 #include "tristim/core/find.h"
@@ -21,6 +22,7 @@ constexpr std::string_view kExamples =
     "  tristim process spheres.exr --device laser-300 --dither screen --lpi 50 --angle 30 -o "
     "s.tif\n"
     "  tristim process spheres.exr --device vga16 --tone-map reinhard:8 --explain -o vga.h\n"
+    "  tristim process spheres.exr --device srgb --palette best:16 -o spheres.gif\n"
     "  tristim process *.exr --device srgb --exposure -1 -o '{stem}-%04d.png'\n";
 
 std::string extensions() {
@@ -33,7 +35,8 @@ void declare(CommandLine& line, ProcessOptions& options, std::string& pipeline) 
   line.positional("IN...", "pictures; - is standard input", options.inputs, 1, 1 << 20);
   line.option("-o,--output", "OUT",
               "result, in the format of its extension: " + extensions() +
-                  "; for several pictures with {stem} or %04d in it; - is standard output",
+                  "; for several pictures with {stem} or %04d in it, or one GIF that moves; - is "
+                  "standard output",
               options.output);
   line.option("-d,--device", "D", "one of `tristim device list`, or a file: ./panel.toml",
               options.device);
@@ -49,41 +52,13 @@ void declare(CommandLine& line, ProcessOptions& options, std::string& pipeline) 
   line.option(
       "--threads", "N", "default: one for each processor; the result is the same",
       [&](const std::string& v) { options.threads = integer_option("--threads", v, 0, 256); });
+  line.option(
+      "--delay", "SECONDS", "of each picture of a moving GIF; default: 0.1",
+      [&](const std::string& v) { options.delay_s = number_option("--delay", v, 0, 655.35); });
   line.flag("--explain", "print every step with its numbers, formula and source", options.explain);
   line.flag("--json", "print the facts as JSON, a line a picture", options.json);
   line.flag("-f,--force", "replace existing files", options.force);
   line.option("--pipeline", "P.toml", "settings from a file; options override it", pipeline);
-}
-
-// Settings of the command line are kept until the pipeline file has been read: they override it.
-struct GivenSetting {
-  const Setting* setting;
-  std::string value;
-};
-
-void declare_settings(CommandLine& line, std::vector<GivenSetting>& given) {
-  line.section("Settings, also keys of a pipeline file (exposure = -1)");
-  for (const Setting& setting : settings_list()) {
-    const auto keep = [&given, &setting](const std::string& value) {
-      given.push_back({&setting, value});
-    };
-    if (setting.argument.empty()) {
-      line.toggle(std::string(setting.name), setting.help, keep);
-    } else {
-      line.option("--" + std::string(setting.name), setting.argument, setting.help, keep);
-    }
-  }
-}
-
-void apply_setting(Settings& settings, const Setting& setting, const std::string& value) {
-  if (const auto refusal = setting.set(settings, value)) {
-    throw Error(ErrorKind::kMisuse, "--" + std::string(setting.name), refusal->wrong,
-                refusal->remedy);
-  }
-}
-
-void apply_settings(Settings& settings, const std::vector<GivenSetting>& given) {
-  for (const GivenSetting& one : given) apply_setting(settings, *one.setting, one.value);
 }
 
 // The streams by one name, so that nothing is asked of them twice.
@@ -141,10 +116,20 @@ void check_proofs(const std::vector<Job>& jobs) {
   }
 }
 
+// Several pictures whose output has one name, which is a format that moves.
+bool is_animation(const ProcessOptions& options) {
+  const std::string& output = options.output;
+  return options.inputs.size() > 1 && is_indexed_only(options, output) &&
+         output.find("{stem}") == std::string::npos && output.find('%') == std::string::npos;
+}
+
 std::vector<Job> jobs_of(const ProcessOptions& options, const Display& device,
                          const std::string& pipeline) {
   refuse_missing_inputs(options.inputs);
-  std::vector<std::string> outputs = output_names(options.output, options.inputs, "--output");
+  const bool moves = is_animation(options);
+  std::vector<std::string> outputs =
+      moves ? std::vector<std::string>(options.inputs.size(), options.output)
+            : output_names(options.output, options.inputs, "--output");
   std::vector<Job> jobs;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     Job job;
@@ -181,6 +166,7 @@ void run_process(Arguments arguments) {
   std::vector<GivenSetting> given;
   CommandLine line(*find_by_name(kCommands, "process"), kExamples);
   declare(line, options, pipeline);
+  line.section("Settings, also keys of a pipeline file (exposure = -1)");
   declare_settings(line, given);
   if (!line.parse(arguments)) return;
   check(options);
@@ -194,8 +180,9 @@ void run_process(Arguments arguments) {
     settings.dither_parameters.screen.spot = read_spot_picture(settings.spot_picture);
   }
   const Display device = load_display(options.device);
-  for (Job& job : jobs_of(options, device, pipeline))
-    process_picture(options, device, std::move(job));
+  std::vector<Job> jobs = jobs_of(options, device, pipeline);
+  if (is_animation(options)) return process_animation(options, device, jobs);
+  for (Job& job : jobs) process_picture(options, device, std::move(job));
 }
 
 }  // namespace tristim::tools

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "tools/cli.h"
+#include "tools/process_palette.h"
 #include "tools/process_report.h"
 #include "tools/progress.h"
 #include "tools/report.h"
@@ -19,7 +20,6 @@
 #include "tristim/frame/io/write.h"
 #include "tristim/image/io/exr.h"
 #include "tristim/image/io/read.h"
-#include "tristim/palette/mixing.h"
 #include "tristim/pipeline/chain.h"
 #include "tristim/pipeline/proof.h"
 
@@ -43,37 +43,16 @@ bool is_stream(const std::string& path) {
          (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status));
 }
 
-// The palette to choose for the picture; nothing where the device's own codes serve.
-std::optional<PaletteChoice> palette_to_choose(const Display& display, const Settings& settings) {
-  if (settings.palette.method != nullptr) return settings.palette;
-  const bool has_codes = !display.palette.empty() || !display.frame.packing.indexed;
-  if (has_codes) return std::nullopt;
-  constexpr const PaletteMethod& kUsual = kPaletteMethods[0];
-  static_assert(kUsual.name == "best");
-  return PaletteChoice{&kUsual, 0};
-}
-
-Display with_chosen_palette(const Display& display, const PaletteChoice& choice,
-                            const ProcessOptions& options, const std::string& input) {
-  const int colors = palette_colors(display, choice);
-  PaletteOptions wanted{.colors = colors, .metric = options.settings.metric, .bits = choice.bits};
-  if (!choice.inks.empty()) wanted.inks = choice.inks;
-  if (!choice.method->needs_histogram) {
-    return with_palette(display, build_palette({}, *choice.method, wanted));
+// The name of an output's format; "" where it is exr or unknown.
+std::string format_of(const ProcessOptions& options, const std::string& output) {
+  if (!options.format.empty()) return options.format;
+  if (is_stream(output)) return "png";
+  for (const FrameFormat& format : kFrameFormats) {
+    for (const std::string_view name : split(format.extensions, ' ')) {
+      if (same_name(name, extension_of(output))) return std::string(format.name);
+    }
   }
-  make_rereadable(input);
-  const auto picture =
-      prepare(open_picture(input, {.layer = options.settings.layer, .threads = options.threads}),
-              display, options.settings, nullptr);
-  const StageList stages = stage_list(picture->info(), display, options.settings);
-  const Histogram counted = histogram(*picture, stages, display, {.threads = options.threads},
-                                      options.settings.palette_weights);
-  std::vector<Color8> palette = build_palette(counted, *choice.method, wanted);
-  const bool dithered = !std::holds_alternative<NoDither>(
-      reduce_options(with_palette(display, palette), options.settings).dither);
-  const bool free = choice.method->name == "best";  // the others are what their sources say
-  if (dithered && free) palette = refine_for_mixing(counted, std::move(palette));
-  return with_palette(display, palette);
+  return "";
 }
 
 // The strength of the dither, turned and fitted as the picture is; null where none was asked for.
@@ -100,22 +79,25 @@ std::vector<std::string> ink_names(const Press& press) {
 }
 
 std::unique_ptr<CodeSink> open_sink(const ProcessOptions& options, const std::string& output,
-                                    const Display& display, const PictureInfo& picture) {
+                                    const PaletteDisplay& palette, const PictureInfo& picture,
+                                    int frames = 1) {
   if (is_exr(options, output)) {
     PictureInfo info;
     info.width = picture.width;
     info.height = picture.height;
-    info.primaries = display.primaries;
-    return decoding_sink(display, open_exr_sink(output, info, {.replace = options.force}));
+    info.primaries = palette.display.primaries;
+    return decoding_sink(palette.display, open_exr_sink(output, info, {.replace = options.force}));
   }
-  const bool unnamed = options.format.empty() && is_stream(output);
-  const FrameWriteOptions how{.format = unnamed ? "png" : options.format,
+  FrameInfo info = palette_frame_info(palette, picture.width, picture.height);
+  info.frames = frames;
+  info.delay_s = options.delay_s;
+  const FrameWriteOptions how{.format = format_of(options, output),
                               .replace = options.force,
                               .threads = options.threads,
                               .png_level = options.png_level};
-  const FrameInfo info = frame_info(display, picture.width, picture.height);
-  if (display.press && is_separated(output, how)) {
-    return open_separations(output, info, ink_names(*display.press), how);
+  const std::optional<Press>& press = palette.display.press;
+  if (press && is_separated(output, how)) {
+    return open_separations(output, info, ink_names(*press), how);
   }
   return open_code_sink(output, info, how);
 }
@@ -174,22 +156,60 @@ void check_proof_format(const std::string& proof) {
               "proofs are PNG: give " + name);
 }
 
-void process_picture(const ProcessOptions& options, const Display& device, Job job) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto choice = palette_to_choose(device, options.settings);
-  const Display display =
-      choice ? with_chosen_palette(device, *choice, options, job.input) : device;
+bool is_indexed_format(const ProcessOptions& options, const std::string& output) {
+  const FrameFormat* format = find_by_name(kFrameFormats, format_of(options, output));
+  return format != nullptr && format->indexed;
+}
 
+bool is_indexed_only(const ProcessOptions& options, const std::string& output) {
+  return same_name(format_of(options, output), "gif");
+}
+
+namespace {
+
+// Takes the codes of one picture of several, whose file is finished later.
+class PartSink final : public CodeSink {
+ public:
+  explicit PartSink(CodeSink& file) : file_(&file) {}
+  void write(ImageView<const std::uint16_t> rows) override { file_->write(rows); }
+  void finish() override {}
+
+ private:
+  CodeSink* file_;
+};
+
+std::unique_ptr<CodeSink> picture_sink(const ProcessOptions& options, const PaletteDisplay& palette,
+                                       const std::string& input, CodeSink& file) {
+  if (!palette.transparent) return std::make_unique<PartSink>(file);
+  return std::make_unique<TransparentSink>(
+      file, *palette.transparent,
+      open_coverage(input, palette.display, options.settings, options.threads));
+}
+
+// A picture that is ready to go into a file.
+struct Prepared {
+  PictureInfo file_info;
+  std::unique_ptr<RowSource> picture;
+};
+
+Prepared prepare_picture(const ProcessOptions& options, const Display& display, Job& job) {
   auto file =
       open_picture(job.input, {.layer = options.settings.layer, .threads = options.threads});
-  const PictureInfo file_info = file->info();
-  const auto picture = prepare(std::move(file), display, options.settings, &job.odd);
-  const PictureInfo& info = picture->info();
+  Prepared prepared{file->info(), nullptr};
+  prepared.picture = prepare(std::move(file), display, options.settings, &job.odd);
+  const PictureInfo& info = prepared.picture->info();
   job.pixels = static_cast<std::uint64_t>(info.width) * static_cast<std::uint64_t>(info.height);
+  return prepared;
+}
+
+// Puts one picture into `file` and its proof into a file of its own; the steps for --explain.
+std::vector<StepReport> write_picture(const ProcessOptions& options, const PaletteDisplay& palette,
+                                      Prepared& prepared, CodeSink& file, Job& job) {
+  const Display& display = palette.display;
+  const PictureInfo& info = prepared.picture->info();
   const StageList stages = stage_list(info, display, options.settings);
   Reducer reducer(display, reduce_options(display, options.settings), info.width);
-
-  const auto sink = open_sink(options, job.output, display, info);
+  const auto sink = picture_sink(options, palette, job.input, file);
   std::unique_ptr<CodeSink> proof_sink;
   std::optional<ProofObserver> proof;
   std::optional<DifferenceObserver> difference;
@@ -202,29 +222,78 @@ void process_picture(const ProcessOptions& options, const Display& device, Job j
     observers.push_back(&difference.emplace(info.primaries, options.settings.adaptation, display,
                                             stages.scene_stages));
   }
-  job.counts = run(*picture, stages.stages, reducer, *sink, observers,
+  job.counts = run(*prepared.picture, stages.stages, reducer, *sink, observers,
                    {.threads = options.threads, .band_rows = 0, .dither_mask = mask.get()});
   progress.reset();  // its line is free again
-  sink->finish();
   if (proof_sink) proof_sink->finish();
   if (difference) job.mean_ciede2000 = difference->mean_ciede2000();
-  job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!options.explain) return {};
+  std::vector<StepReport> steps{read_step(prepared.file_info, job),
+                                fit_step(options.settings, prepared.file_info, info)};
+  for (const Stage& stage : stages.stages) steps.push_back(tristim::explain(stage));
+  if (palette.step) steps.push_back(*palette.step);
+  for (StepReport& step : reducer.explain()) steps.push_back(std::move(step));
+  steps.push_back(write_step(job, display.frame));
+  add_counts(steps, job);
+  return steps;
+}
 
-  std::vector<StepReport> steps;
-  if (options.explain) {
-    steps = {read_step(file_info, job), fit_step(options.settings, file_info, info)};
-    for (const Stage& stage : stages.stages) steps.push_back(tristim::explain(stage));
-    if (choice) steps.push_back(palette_step(*choice, palette_colors(device, *choice)));
-    for (StepReport& step : reducer.explain()) steps.push_back(std::move(step));
-    steps.push_back(write_step(job, display.frame));
-    add_counts(steps, job);
-  }
+void report(const ProcessOptions& options, const Job& job, const Display& display,
+            const PictureInfo& info, const std::vector<StepReport>& steps) {
   if (options.json) {
     print(json_line(job_json(options, job, display, info, steps)));
   } else if (options.explain) {
     print(steps_text(steps));
   }
   say_notes(job);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+void process_picture(const ProcessOptions& options, const Display& device, Job job) {
+  const auto start = std::chrono::steady_clock::now();
+  const PaletteDisplay palette =
+      choose_palette(options, device, {job.input}, is_indexed_format(options, job.output));
+  if (palette.transparent) make_rereadable(job.input);
+  Prepared prepared = prepare_picture(options, palette.display, job);
+  const PictureInfo info = prepared.picture->info();
+  const auto file = open_sink(options, job.output, palette, info);
+  const auto steps = write_picture(options, palette, prepared, *file, job);
+  file->finish();
+  job.seconds = seconds_since(start);
+  report(options, job, palette.display, info, steps);
+}
+
+void process_animation(const ProcessOptions& options, const Display& device,
+                       const std::vector<Job>& jobs) {
+  std::vector<std::string> inputs;
+  for (const Job& job : jobs) inputs.push_back(job.input);
+  const PaletteDisplay palette = choose_palette(options, device, inputs, /*indexed=*/true);
+  ProcessOptions all = options;
+  auto& first = all.settings.dither_parameters.frame;
+  first = first.value_or(0);  // dithers that change with time do so from picture to picture
+  std::unique_ptr<CodeSink> file;
+  for (Job job : jobs) {
+    const auto start = std::chrono::steady_clock::now();
+    if (palette.transparent) make_rereadable(job.input);
+    Prepared prepared = prepare_picture(all, palette.display, job);
+    const PictureInfo info = prepared.picture->info();
+    if (!file) {
+      file = open_sink(all, job.output, palette, info, static_cast<int>(jobs.size()));
+      all.settings.width = info.width;
+      all.settings.height = info.height;
+    }
+    const auto steps = write_picture(all, palette, prepared, *file, job);
+    auto& frame = all.settings.dither_parameters.frame;
+    frame = frame.value_or(0) + 1;
+    job.seconds = seconds_since(start);
+    report(all, job, palette.display, info, steps);
+  }
+  file->finish();
 }
 
 }  // namespace tristim::tools

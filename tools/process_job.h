@@ -17,6 +17,7 @@ struct ProcessOptions {
   Settings settings;
   int threads = 0;
   int png_level = 6;
+  double delay_s = 0.1;  // of each picture that moves
   bool explain = false, json = false, force = false;
 };
 
@@ -38,8 +39,16 @@ void check_proof_format(const std::string& proof);
 /// The files that an output becomes: itself, or one for each ink of a press.
 std::vector<std::string> output_files(const ProcessOptions& options, const Display& device,
                                       const std::string& output);
+/// Whether the format of an output has a palette, and whether it has nothing else: GIF.
+bool is_indexed_format(const ProcessOptions& options, const std::string& output);
+bool is_indexed_only(const ProcessOptions& options, const std::string& output);
 
 /// Reads one picture, writes its output and proof, and prints what was asked for. Throws Error.
 void process_picture(const ProcessOptions& options, const Display& device, Job job);
+
+/// The pictures of `jobs`, all with one output, one after the other in one file, with one palette
+/// and at the size of the first. Throws Error.
+void process_animation(const ProcessOptions& options, const Display& device,
+                       const std::vector<Job>& jobs);
 
 }  // namespace tristim::tools

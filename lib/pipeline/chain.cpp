@@ -148,6 +148,22 @@ Display with_palette(Display display, const std::vector<Color8>& palette) {
   return display;
 }
 
+Display with_palette(Display display, const Palette& palette) {
+  const Eigen::Matrix3d matrix = xyz_from_rgb(Primaries{});
+  display.palette.clear();
+  display.palette_has_white = false;
+  display.viewing_white = kD65;
+  for (const PaletteColor& entry : palette.colors) {
+    const EncodedRgb& c = entry.color;
+    const Eigen::Vector3d xyz =
+        matrix * Eigen::Vector3d(srgb_decode(c.r), srgb_decode(c.g), srgb_decode(c.b));
+    const auto position = static_cast<std::uint16_t>(display.palette.size());
+    display.palette.push_back(
+        {entry.code.value_or(position), {xyz.x(), xyz.y(), xyz.z()}, entry.name});
+  }
+  return display;
+}
+
 int palette_colors(const Display& display, const PaletteChoice& choice) {
   const Packing& packing = display.frame.packing;
   if (!packing.indexed) {

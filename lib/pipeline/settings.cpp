@@ -192,6 +192,27 @@ std::optional<std::vector<Color8>> parse_inks(std::string_view text) {
   return inks;
 }
 
+// Files have a folder or an extension, which no method has.
+bool names_file(std::string_view value) { return value.find_first_of("/.") != value.npos; }
+
+Result set_colors(Settings& settings, std::string_view value) {
+  const auto number = parse_integer(value);
+  if (!number || *number < 1 || *number > kMostColors) {
+    return not_a("number of colours", value, "give 1 to 65536");
+  }
+  settings.colors = static_cast<int>(*number);
+  return {};
+}
+
+Result set_transparent(Settings& settings, std::string_view value) {
+  const auto number = same_name(value, "last") ? -1 : parse_integer(value).value_or(-2);
+  if (number < -1 || number >= kMostColors) {
+    return not_a("position", value, "give the position in the palette, from 0, or last");
+  }
+  settings.transparent = static_cast<int>(number);
+  return {};
+}
+
 Result set_palette(Settings& settings, std::string_view value) {
   if (same_name(value, "device")) {
     settings.palette = {};
@@ -200,6 +221,10 @@ Result set_palette(Settings& settings, std::string_view value) {
   const std::vector<std::string_view> parts = split(value, ':');
   const auto bits = fixed_bits(parts[0]);
   const PaletteMethod* method = find_by_name(kPaletteMethods, bits ? "fixed" : parts[0]);
+  if (method == nullptr && names_file(value)) {
+    settings.palette = {nullptr, 0, {}, std::string(value)};
+    return {};
+  }
   if (method == nullptr) return unknown("palette", kPaletteMethods, parts[0]);
   int colors = 0;
   if (parts.size() > 1) {
@@ -218,7 +243,7 @@ Result set_palette(Settings& settings, std::string_view value) {
       return not_a("palette", value, "give one to three inks, as in inks:16:#204080+black");
     inks = *given;
   }
-  settings.palette = {method, colors, bits.value_or(std::array{0, 0, 0}), inks};
+  settings.palette = {method, colors, bits.value_or(std::array{0, 0, 0}), inks, {}};
   return {};
 }
 
@@ -325,11 +350,14 @@ std::vector<Setting> make_settings() {
          return set_count("effort", v, kMostEffort,
                           [&](auto n) { s.dither_parameters.effort = static_cast<int>(n); });
        }},
-      {"palette", "device|METHOD[:N]",
-       "choose N colours for the picture, for indexed devices: " + list_names(kPaletteMethods) +
-           "; fixed-565 and the like have bits a channel, inks:N:#204080+black up to three inks; "
-           "default: device",
+      {"palette", "device|METHOD[:N]|FILE",
+       "choose N colours for the pictures by one of " + list_names(kPaletteMethods) +
+           "; fixed-565 and the like have bits a channel, inks:N:#204080+black up to three inks; or "
+           "take those of a palette file; default: device",
        set_palette},
+      {"colors", "N", "colours of a palette that is chosen; default: as many as fit", set_colors},
+      {"transparent", "N|last",
+       "keep this position of a chosen palette for pixels less than half covered", set_transparent},
       {"palette-weights", list_names(kPaletteWeights, "|"),
        "what makes a colour count for a chosen palette: its pixels, or those in flat areas more; "
        "default: count",

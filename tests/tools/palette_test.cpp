@@ -42,7 +42,7 @@ TEST_F(PaletteCheck, TellsMistakes) {
   refuses("palette check none.txt", 3, "none.txt: holds no colours");
   refuses("palette check nowhere.txt", 1, "nowhere.txt: there is no such file; check the name");
   refuses("palette check redd blue", 3, "palette check: 'redd' is no colour; did you mean red?");
-  refuses("palette", 2, "palette: an action is missing; use one of: show, convert, check");
+  refuses("palette", 2, "palette: an action is missing; use one of: build, show, convert, check");
   refuses("palette chek red", 2, "palette: unknown action 'chek'; did you mean check?");
   refuses("palette check", 2,
           "palette check: no colours are given; give colours, or a file of colours, or a picture");

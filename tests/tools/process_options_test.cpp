@@ -64,9 +64,9 @@ TEST_F(ProcessOptions, HintsAtTheNearestValue) {
 }
 
 TEST_F(ProcessOptions, RefusesPalettesThatTheDeviceCannotHold) {
-  refuses_value("palette", "median-cut:16",
-                "packing rgb888 has no palette; choose a device with an indexed packing, or leave "
-                "--palette out");
+  refuses("process s.exr -d srgb --palette median-cut:16 -o o.raw", 2,
+          "--palette: packing rgb888 has no palette; choose a device with an indexed packing, or "
+          "leave --palette out");
   refuses_value("palette", "median-cut:0",
                 "'median-cut:0' is no palette; give the number of colours, 1 to 65536, as in "
                 "best:16");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tristim/image/flatten.h"
+#include "tristim/palette/palette.h"
 #include "tristim/pipeline/run.h"
 #include "tristim/pipeline/settings.h"
 
@@ -41,6 +42,10 @@ Histogram histogram(RowSource& picture, const StageList& stages, const Display& 
 /// `display` with a palette of codes of 8 bits a channel behind the sRGB curve in its primaries, at
 /// positions 0, 1, ...
 Display with_palette(Display display, const std::vector<Color8>& palette);
+
+/// `display` with the colours of a palette, which are sRGB, and its codes; those without one have
+/// their positions.
+Display with_palette(Display display, const Palette& palette);
 
 /// The number of colours that a palette chosen for a picture may have on `display`. Throws Error
 /// (kMisuse) where its packing is not indexed or `choice` asks for more than it holds.

@@ -22,6 +22,7 @@ struct PaletteChoice {
   int colors = 0;                         // 0: as many as the packing holds
   std::array<int, 3> bits{};              // of "fixed"; 0: as many as there are colours for
   std::vector<Color8> inks;               // of "inks"; none: black
+  std::string file = {};                  // of a palette to take as it is; then there is no method
 };
 
 /// What makes a colour count for a chosen palette.
@@ -60,6 +61,8 @@ struct Settings {
   int cell_width = 1, cell_height = 1;  // device pixels for each of the picture's [Shoaff 2.1.2]
   PaletteChoice palette;
   PaletteWeights palette_weights = PaletteWeights::kCount;
+  int colors = 0;                  // where the choice names no number; 0: as the packing holds
+  std::optional<int> transparent;  // position of an entry for transparent pixels; -1: the last
   const Metric* metric =
       nullptr;  // nullptr: oklab-toe with dither, balanced for chosen palettes, oklab
   Mix mix = Mix::kLight;

@@ -13,15 +13,17 @@ struct FrameFormat {
   std::string_view name;
   std::string_view extensions;  // separated by spaces, without the dot
   std::string_view what;
-  bool moves = false;  // holds several pictures one after the other: FrameInfo::frames
+  bool indexed = false;  // holds a palette and positions in it
+  bool moves = false;    // holds several pictures one after the other: FrameInfo::frames
 };
 
 /// Every format. The command line and the docs read this list.
 inline constexpr FrameFormat kFrameFormats[] = {
-    {"png", "png", "PNG: 1, 2, 4, 8 bits indexed or grey, 8 and 16 bits grey and RGB"},
-    {"gif", "gif", "GIF: up to 256 colours in the palette's order, also moving pictures", true},
-    {"bmp", "bmp dib", "BMP: 1, 4, 8 bits indexed or grey, 24 bits RGB"},
-    {"tiff", "tif tiff", "TIFF: 1 bit (Group 4), 2 to 16 bits grey, indexed, RGB"},
+    {"png", "png", "PNG: 1, 2, 4, 8 bits indexed or grey, 8 and 16 bits grey and RGB", true},
+    {"gif", "gif", "GIF: up to 256 colours in the palette's order, also moving pictures", true,
+     true},
+    {"bmp", "bmp dib", "BMP: 1, 4, 8 bits indexed or grey, 24 bits RGB", true},
+    {"tiff", "tif tiff", "TIFF: 1 bit (Group 4), 2 to 16 bits grey, indexed, RGB", true},
     {"pnm", "pnm pbm pgm ppm", "PBM, PGM or PPM (binary), as the codes need"},
     {"raw", "raw bin", "the bytes of the frame buffer, nothing else"},
     {"c", "h hpp c inc", "a C header: array, width, height, stride, palette"},
