@@ -222,7 +222,7 @@ Result set_palette(Settings& settings, std::string_view value) {
   const auto bits = fixed_bits(parts[0]);
   const PaletteMethod* method = find_by_name(kPaletteMethods, bits ? "fixed" : parts[0]);
   if (method == nullptr && names_file(value)) {
-    settings.palette = {nullptr, 0, {}, std::string(value)};
+    settings.palette = {nullptr, 0, {}, {}, std::string(value)};
     return {};
   }
   if (method == nullptr) return unknown("palette", kPaletteMethods, parts[0]);
