@@ -201,6 +201,12 @@ void check(const Options& options) {
                 "the sheet is a PNG; name a folder for a picture each");
   }
   refuse_missing_inputs(options.inputs);
+  std::error_code ignored;
+  const std::string name = options.output.substr(0, options.output.find_last_not_of('/') + 1);
+  if (options.output.ends_with('/') && std::filesystem::is_regular_file(name, ignored)) {
+    throw Error(ErrorKind::kSystem, options.output, "is a file, not a folder",
+                "choose another name");
+  }
 }
 
 void gallery(const Options& options) {
