@@ -274,8 +274,11 @@ void process_animation(const ProcessOptions& options, const Display& device,
   for (const Job& job : jobs) inputs.push_back(job.input);
   const PaletteDisplay palette = choose_palette(options, device, inputs, /*indexed=*/true);
   ProcessOptions all = options;
-  auto& first = all.settings.dither_parameters.frame;
-  first = first.value_or(0);  // dithers that change with time do so from picture to picture
+  std::optional<int>& frame = all.settings.dither_parameters.frame;
+  const DitherMethod dither = reduce_options(palette.display, all.settings).dither;
+  const auto* matrix = std::get_if<MatrixRecipe>(&dither);
+  // What can change with time does so from picture to picture.
+  if (matrix != nullptr && matrix->by_frame) frame = frame.value_or(0);
   std::unique_ptr<CodeSink> file;
   for (Job job : jobs) {
     const auto start = std::chrono::steady_clock::now();
@@ -288,8 +291,7 @@ void process_animation(const ProcessOptions& options, const Display& device,
       all.settings.height = info.height;
     }
     const auto steps = write_picture(all, palette, prepared, *file, job);
-    auto& frame = all.settings.dither_parameters.frame;
-    frame = frame.value_or(0) + 1;
+    if (frame) ++*frame;
     job.seconds = seconds_since(start);
     report(all, job, palette.display, info, steps);
   }

@@ -107,8 +107,7 @@ PaletteDisplay palette_of_choice(const ProcessOptions& options, const Display& d
   result.transparent = reserved_position(options.settings, colors);
   const bool counts = choice.method->needs_histogram;
   const Histogram counted = counts ? count_inputs(options, device, inputs) : Histogram{};
-  PaletteOptions wanted{
-      .colors = colors, .metric = options.settings.metric, .bits = choice.bits};
+  PaletteOptions wanted{.colors = colors, .metric = options.settings.metric, .bits = choice.bits};
   if (!choice.inks.empty()) wanted.inks = choice.inks;
   wanted.transparent = result.transparent;
   std::vector<Color8> palette = build_palette(counted, *choice.method, wanted);

@@ -415,7 +415,7 @@ void Reducer::reduce(Band band, ImageView<std::uint16_t> codes) {
   if (whole_picture()) return state_->reduce_whole(band, codes);
   const bool whole_strength =
       state_->options.parameters.strength == 1 && band.dither_mask.data == nullptr;
-  if (in_order() && !state_->palette && whole_strength) {
+  if (in_order() && !state_->palette && !state_->inks && whole_strength) {
     return state_->diffuse_levels(band, codes);
   }
   for (int i = 0; i < band.view.height; ++i) state_->reduce_row(band, i, codes.row(i));

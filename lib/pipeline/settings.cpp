@@ -352,7 +352,8 @@ std::vector<Setting> make_settings() {
        }},
       {"palette", "device|METHOD[:N]|FILE",
        "choose N colours for the pictures by one of " + list_names(kPaletteMethods) +
-           "; fixed-565 and the like have bits a channel, inks:N:#204080+black up to three inks; or "
+           "; fixed-565 and the like have bits a channel, inks:N:#204080+black up to three inks; "
+           "or "
            "take those of a palette file; default: device",
        set_palette},
       {"colors", "N", "colours of a palette that is chosen; default: as many as fit", set_colors},

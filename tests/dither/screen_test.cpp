@@ -131,17 +131,18 @@ TEST(Screen, TurnsCounterclockwise) {
   EXPECT_LT(across, 30000);
 }
 
+// Of whole tiles: a patch that cuts through lines has more of them or less, whatever the screen.
 double tone_error(const ThresholdMatrix& matrix, double light) {
   const OrderedDither dither({{0, 1}, {0, 1}}, matrix);
-  constexpr int kSide = 512;
-  const std::vector<float> in(kSide, static_cast<float>(light));
-  std::vector<std::uint16_t> out(kSide);
+  const int width = matrix.width;
+  const std::vector<float> in(static_cast<std::size_t>(width), static_cast<float>(light));
+  std::vector<std::uint16_t> out(in.size());
   long long lit = 0;
-  for (int y = 0; y < kSide; ++y) {
-    dither.row({in.data(), kSide, 1}, y, {out.data(), kSide, 1});
+  for (int y = 0; y < matrix.height; ++y) {
+    dither.row({in.data(), width, 1}, y, {out.data(), width, 1});
     lit += std::ranges::count(out, 1);
   }
-  const double got = static_cast<double>(lit) / (kSide * kSide);
+  const double got = static_cast<double>(lit) / (double{1} * width * matrix.height);
   return lstar_from_luminance(got) - lstar_from_luminance(light);
 }
 

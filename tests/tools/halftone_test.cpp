@@ -142,7 +142,7 @@ TEST_F(HalftoneCommand, TellsWhatIsWrong) {
             "side\n");
   EXPECT_EQ(wrong("halftone draw"),
             "tristim: draw: is nothing that halftone does; use one of: matrix, patterns, judge, "
-            "levels, cells\n");
+            "levels, cells, screen, gallery\n");
   write("m.csv", "0 2\n2 1\n");
   EXPECT_EQ(
       wrong("process s.exr -d laser-300 --dither m.csv -o x.png"),

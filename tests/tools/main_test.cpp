@@ -73,8 +73,8 @@ TEST_F(Main, HintsAtTheNearestCommand) {
   refuses("proces", 2, "proces: unknown command; did you mean process?");
   refuses("xyzzyx", 2,
           "xyzzyx: unknown command; use one of: "
-          "process, convert, spectrum, gamut, compare, palette, levels, device, info, shade, "
-          "render");
+          "process, convert, spectrum, gamut, compare, palette, levels, halftone, device, info, "
+          "shade, render");
   refuses("--quiet process", 2,
           "--quiet: unknown option; options follow the command: tristim <command> [options]");
   refuses("help proces", 2, "proces: unknown command; did you mean process?");
