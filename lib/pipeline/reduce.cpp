@@ -140,7 +140,9 @@ const NamedDither& default_dither(const Display& display) {
   const int least_bits = packing.samples == 3
                              ? *std::min_element(packing.bits.begin(), packing.bits.end())
                              : packing.bits[0];
-  const char* name = least_bits == 1 && !packing.indexed ? "blue-diffusion" : "floyd-steinberg";
+  const bool chosen_palette = packing.indexed && !display.palette_has_white;
+  const bool one_bit = least_bits == 1 && !packing.indexed;
+  const char* name = one_bit || chosen_palette ? "blue-diffusion" : "floyd-steinberg";
   if (!holds_dots) name = "clustered8";
   if (display.press) name = "screen";
   if (least_bits >= 8 && !packing.indexed && display.palette.empty()) name = "none";

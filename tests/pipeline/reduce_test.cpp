@@ -11,6 +11,7 @@
 #include "tristim/core/find.h"
 #include "tristim/device/display_file.h"
 #include "tristim/dither/matrices.h"
+#include "tristim/pipeline/chain.h"
 
 namespace tristim {
 namespace {
@@ -56,6 +57,8 @@ TEST(DefaultDither, SuitsTheDevice) {
   EXPECT_EQ(name("lcd-rgb565"), "floyd-steinberg");
   EXPECT_EQ(name("epaper-4grey"), "floyd-steinberg");
   EXPECT_EQ(name("vga16"), "floyd-steinberg");
+  EXPECT_EQ(default_dither(with_palette(load_display("vga16"), {{0, 0, 0}, {255, 0, 0}})).name,
+            "blue-diffusion");
   EXPECT_EQ(name("laser-300"), "clustered8");
   EXPECT_EQ(name("offset-cmyk"), "screen");
 }

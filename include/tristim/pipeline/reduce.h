@@ -13,8 +13,8 @@
 namespace tristim {
 
 /// What suits a device: none from 8 bits a channel on, the clustered screen for
-/// printers that cannot hold isolated dots, blue-diffusion for other 1-bit devices, Floyd-Steinberg
-/// for the rest.
+/// printers that cannot hold isolated dots, blue-diffusion for other 1-bit devices and for palettes
+/// chosen for a picture, Floyd-Steinberg for the rest.
 const NamedDither& default_dither(const Display& display);
 
 struct ReduceOptions {
