@@ -1,4 +1,5 @@
 #include "lib/pipeline/screen_settings.h"
+#include "lib/pipeline/setting_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +11,6 @@
 
 namespace tristim::detail {
 namespace {
-
-using Result = std::optional<Refusal>;
-
-Refusal not_a(std::string_view what, std::string_view value, std::string_view remedy) {
-  return {"'" + std::string(value) + "' is no " + std::string(what), std::string(remedy)};
-}
 
 Result set_positive(double& number, std::string_view what, std::string_view value,
                     std::string_view remedy) {
@@ -58,9 +53,7 @@ Result set_smallest_dot(Settings& settings, std::string_view value) {
 }
 
 Result set_single_cell(Settings& settings, std::string_view value) {
-  if (value != "true" && value != "false") return not_a("switch", value, "give true or false");
-  settings.dither_parameters.screen.single_cell = value == "true";
-  return {};
+  return set_switch(value, [&](bool on) { settings.dither_parameters.screen.single_cell = on; });
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }

@@ -6,6 +6,7 @@
 
 #include "lib/core/toml.h"
 #include "lib/pipeline/screen_settings.h"
+#include "lib/pipeline/setting_values.h"
 #include "tristim/color/parse.h"
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
@@ -15,15 +16,13 @@
 namespace tristim {
 namespace {
 
-using Result = std::optional<Refusal>;
+using detail::not_a;
+using detail::Result;
+using detail::set_switch;
 
 template <typename List>
 Refusal unknown(std::string_view what, const List& list, std::string_view value) {
   return {"unknown " + std::string(what) + " '" + std::string(value) + "'", name_hint(list, value)};
-}
-
-Refusal not_a(std::string_view what, std::string_view value, std::string_view remedy) {
-  return {"'" + std::string(value) + "' is no " + std::string(what), std::string(remedy)};
 }
 
 constexpr double kMostStops = 64;
@@ -94,13 +93,6 @@ Result set_background(Settings& settings, std::string_view value) {
   const auto color = parse_color(value);
   if (!color) return not_a("colour", value, color_hint(value));
   settings.background = *color;
-  return {};
-}
-
-template <typename Assign>
-Result set_switch(std::string_view value, Assign&& assign) {
-  if (value != "true" && value != "false") return not_a("switch", value, "give true or false");
-  assign(value == "true");
   return {};
 }
 

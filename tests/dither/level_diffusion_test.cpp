@@ -2,34 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "lib/dither/position_noise.h"
+#include "tests/dither/channel_pictures.h"
 #include "tristim/dither/levels.h"
 
 namespace tristim {
 namespace {
-
-using Codes = std::vector<std::uint16_t>;
-
-const MixLevels kBlackAndWhite{{0, 1}, {0, 1}};
-const MixLevels kUneven{{0, 0.1F, 0.15F, 0.7F, 1}, {0, 1, 2, 3, 4}};
-
-struct Picture {
-  int width, height;
-  std::vector<float> light;
-};
-
-Picture flat(int width, int height, float light) {
-  return {width, height, std::vector<float>(static_cast<std::size_t>(width * height), light)};
-}
-
-Picture noise(int width, int height, unsigned seed) {
-  std::mt19937 random(seed);
-  Picture picture = flat(width, height, 0);
-  for (float& v : picture.light) v = std::uniform_real_distribution(-0.2F, 1.2F)(random);
-  return picture;
-}
 
 DiffusionOptions own_options(const DiffusionKernel& kernel) {
   return {.kernel = &kernel, .serpentine = kernel.serpentine, .jitter = kernel.jitter};
