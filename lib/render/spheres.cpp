@@ -68,7 +68,7 @@ Rgb direct_light(const SphereScene& scene, const Material& material, const Specu
                  const Vector3d& point, const Vector3d& normal, const Vector3d& to_eye,
                  const Sphere* self) noexcept {
   Rgb radiance;
-  for (const SceneLight& light : scene.lights) {
+  for (const SoftLight& light : scene.lights) {
     const Incident arriving = incident(light.light, point);
     if (!(dot(normal, arriving.to_light) > 0)) continue;
     const double visible = detail::visible_part(scene, light, arriving.to_light, point, self);
@@ -165,7 +165,7 @@ class Caster {
  public:
   Caster(const SphereScene& scene, const SpheresOptions& options)
       : scene_(scene), options_(options) {
-    const Camera& camera = scene.camera;
+    const FrameCamera& camera = scene.camera;
     forward_ = normalize(camera.target - camera.eye);
     right_ = normalize(Vector3d(-forward_.z(), 0, forward_.x()));  // forward x (0, 1, 0)
     up_ = Vector3d(right_.y() * forward_.z() - right_.z() * forward_.y(),

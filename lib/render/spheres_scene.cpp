@@ -64,7 +64,7 @@ std::vector<Sphere> spiral() {
   return spheres;
 }
 
-std::vector<SceneLight> three_lights() {
+std::vector<SoftLight> three_lights() {
   const PointLight warm_key{.position = {-7, 9, 6.5},
                             .intensity = {2100, 1850, 1500},
                             .attenuation = {.kind = kInverseSquare}};

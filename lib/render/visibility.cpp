@@ -16,7 +16,7 @@ struct Disc {
   double spread;  // tangent of the angular radius
 };
 
-Disc disc_of(const SceneLight& light, const Vector3d& point) noexcept {
+Disc disc_of(const SoftLight& light, const Vector3d& point) noexcept {
   const auto* place = std::get_if<PointLight>(&light.light);
   if (place == nullptr) return {std::numeric_limits<double>::infinity(), light.size};
   const double distance = length(place->position - point);
@@ -34,7 +34,7 @@ double hidden_part(double light, double blocker, double apart) noexcept {
   return most * (0.5 - x * (0.75 - 0.25 * x * x));
 }
 
-double visible_part(const SphereScene& scene, const SceneLight& light, const Vector3d& to_light,
+double visible_part(const SphereScene& scene, const SoftLight& light, const Vector3d& to_light,
                     const Vector3d& point, const Sphere* self) noexcept {
   const Disc disc = disc_of(light, point);
   double visible = 1;

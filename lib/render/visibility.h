@@ -13,7 +13,7 @@ double hidden_part(double light, double blocker, double apart) noexcept;
 
 /// The part of a light's disc that `point` sees past all spheres but `self`; `to_light` is the unit
 /// vector to its centre. Hidden parts of several spheres multiply.
-double visible_part(const SphereScene& scene, const SceneLight& light,
+double visible_part(const SphereScene& scene, const SoftLight& light,
                     const Eigen::Vector3d& to_light, const Eigen::Vector3d& point,
                     const Sphere* self) noexcept;
 

@@ -198,7 +198,7 @@ TEST(DefaultScene, HasBothModelsBothKindsOfLightAndANeutralSphere) {
                             [&](const Sphere& sphere) { return sphere.model.name == model.name; }));
   }
   const auto holds = [&](auto kind) {
-    return std::any_of(scene.lights.begin(), scene.lights.end(), [](const SceneLight& light) {
+    return std::any_of(scene.lights.begin(), scene.lights.end(), [](const SoftLight& light) {
       return std::holds_alternative<decltype(kind)>(light.light);
     });
   };

@@ -42,14 +42,14 @@ SphereScene ball_over_ground() {
 TEST(VisiblePart, SphereHidesTheLightBehindIt) {
   const SphereScene scene = ball_over_ground();
   const Vector3d up(0, 1, 0);
-  const SceneLight soft_sun{DirectionalLight{.to_light = up}, 0.1};
+  const SoftLight soft_sun{DirectionalLight{.to_light = up}, 0.1};
   EXPECT_EQ(visible_part(scene, soft_sun, up, Vector3d(0, 0, 0), nullptr), 0);
   EXPECT_EQ(visible_part(scene, soft_sun, up, Vector3d(0, 0, 0), &scene.spheres[0]), 1);
   EXPECT_NEAR(visible_part(scene, soft_sun, up, Vector3d(1, 0, 0), nullptr), 0.5, 1e-15);
   EXPECT_EQ(visible_part(scene, soft_sun, up, Vector3d(1.31, 0, 0), nullptr), 1);
   EXPECT_EQ(visible_part(scene, soft_sun, up, Vector3d(0, 5, 0), nullptr), 1);  // it is behind
 
-  const SceneLight lamp_before{PointLight{.position = {0, 1.5, 0}}, 0.1};
+  const SoftLight lamp_before{PointLight{.position = {0, 1.5, 0}}, 0.1};
   EXPECT_EQ(visible_part(scene, lamp_before, up, Vector3d(0, 0, 0), nullptr), 1);
 }
 

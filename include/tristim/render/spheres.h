@@ -20,7 +20,7 @@ struct Sphere {
 
 /// A light and how large it looks, which is how soft its shadows are: `size` is the radius of a
 /// point light, the tangent of the angular radius of a directional one; 0 makes hard shadows.
-struct SceneLight {
+struct SoftLight {
   Light light = {};
   double size = 0;
 };
@@ -46,7 +46,7 @@ struct Backdrop {
 
 /// A pinhole camera; x right, y up. The view is the size of the frame at distance 1; a picture of
 /// another shape shows more than the frame, never less.
-struct Camera {
+struct FrameCamera {
   Eigen::Vector3d eye{0, 0, 1};
   Eigen::Vector3d target{0, 0, 0};
   double view_width = 1;
@@ -55,13 +55,13 @@ struct Camera {
 
 /// Spheres on a ground plane under a sky.
 struct SphereScene {
-  Camera camera = {};
+  FrameCamera camera = {};
   Backdrop backdrop = {};
   Ground ground = {};
   Rgb ambient = {};         // Ia of the sky
   Rgb ground_ambient = {};  // Ia from below
   std::vector<Sphere> spheres = {};
-  std::vector<SceneLight> lights = {};
+  std::vector<SoftLight> lights = {};
 };
 
 /// The scene of `tristim render spheres`, composed for 16:9: a grey sphere and a spiral of coloured
