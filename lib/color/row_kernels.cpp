@@ -1,9 +1,7 @@
 #include "lib/color/row_kernels.h"
 
-#include <cstdlib>
-
 #include "lib/color/row_formulas-inl.h"
-#include "tristim/core/find.h"
+#include "lib/core/instruction_set.h"
 
 namespace tristim::detail {
 namespace {
@@ -43,12 +41,8 @@ const RowKernels& scalar_row_kernels() noexcept {
 }
 
 const RowKernels& row_kernels() {
-  const std::span<const RowKernels> simd = simd_row_kernels();
-  if (const char* wanted = std::getenv("TRISTIM_SIMD")) {
-    if (same_name(wanted, "scalar")) return scalar_row_kernels();
-    if (const RowKernels* found = find_by_name(simd, wanted)) return *found;
-  }
-  return simd.empty() ? scalar_row_kernels() : simd.front();
+  const RowKernels* simd = chosen_instruction_set(simd_row_kernels());
+  return simd == nullptr ? scalar_row_kernels() : *simd;
 }
 
 }  // namespace tristim::detail

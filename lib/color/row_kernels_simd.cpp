@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "lib/color/row_formulas-inl.h"
+#include "lib/core/every_target.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace tristim::detail::HWY_NAMESPACE {
@@ -257,26 +258,11 @@ namespace {
 
 HWY_EXPORT(vector_kernels);
 
-std::vector<RowKernels> kernels_of_this_processor() {
-  std::vector<RowKernels> all;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    if (target == HWY_SCALAR || target == HWY_EMU128) continue;  // ours is the definition
-#if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
-    all.push_back(HWY_DYNAMIC_DISPATCH(vector_kernels)());
-#else
-    hwy::ChosenTarget chosen;  // of our own: the process-wide choice stays as it is
-    chosen.Update(target);
-    all.push_back(HWY_DISPATCH_TABLE(vector_kernels)[chosen.GetIndex()]());
-#endif
-    if (all.back().name == "AVX3") all.back().name = "avx512";
-  }
-  return all;
-}
-
 }  // namespace
 
 std::span<const RowKernels> simd_row_kernels() {
-  static const std::vector<RowKernels> kernels = kernels_of_this_processor();
+  static const std::vector<RowKernels> kernels =
+      of_every_target(HWY_DISPATCH_TABLE(vector_kernels));
   return kernels;
 }
 

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
-#include "tristim/core/find.h"
+#include "lib/core/instruction_set.h"
 
 namespace tristim::detail {
 namespace {
@@ -59,12 +58,7 @@ LevelTable::LevelTable(std::span<const float> lights, std::span<const float> thr
 }
 
 const FloydSteinbergRows* floyd_steinberg_rows() {
-  const std::span<const FloydSteinbergRows> all = all_floyd_steinberg_rows();
-  if (const char* wanted = std::getenv("TRISTIM_SIMD")) {
-    if (same_name(wanted, "scalar")) return nullptr;
-    if (const FloydSteinbergRows* found = find_by_name(all, wanted)) return found;
-  }
-  return all.empty() ? nullptr : &all.front();
+  return chosen_instruction_set(all_floyd_steinberg_rows());
 }
 
 }  // namespace tristim::detail

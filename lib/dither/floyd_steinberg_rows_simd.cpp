@@ -12,6 +12,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "lib/core/every_target.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace tristim::detail::HWY_NAMESPACE {
 
@@ -352,26 +354,11 @@ namespace {
 
 HWY_EXPORT(vector_rows);
 
-std::vector<FloydSteinbergRows> rows_of_this_processor() {
-  std::vector<FloydSteinbergRows> all;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    if (target == HWY_SCALAR || target == HWY_EMU128) continue;
-#if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
-    all.push_back(HWY_DYNAMIC_DISPATCH(vector_rows)());
-#else
-    hwy::ChosenTarget chosen;  // of our own: the process-wide choice stays as it is
-    chosen.Update(target);
-    all.push_back(HWY_DISPATCH_TABLE(vector_rows)[chosen.GetIndex()]());
-#endif
-    if (all.back().name == "AVX3") all.back().name = "avx512";
-  }
-  return all;
-}
-
 }  // namespace
 
 std::span<const FloydSteinbergRows> all_floyd_steinberg_rows() {
-  static const std::vector<FloydSteinbergRows> rows = rows_of_this_processor();
+  static const std::vector<FloydSteinbergRows> rows =
+      of_every_target(HWY_DISPATCH_TABLE(vector_rows));
   return rows;
 }
 

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 
-#include "tristim/core/find.h"
+#include "lib/core/instruction_set.h"
 
 namespace tristim::detail {
 namespace {
@@ -104,12 +103,8 @@ const OrderedKernels& scalar_ordered_kernels() noexcept {
 }
 
 const OrderedKernels& ordered_kernels() {
-  const std::span<const OrderedKernels> simd = simd_ordered_kernels();
-  if (const char* wanted = std::getenv("TRISTIM_SIMD")) {
-    if (same_name(wanted, "scalar")) return scalar_ordered_kernels();
-    if (const OrderedKernels* found = find_by_name(simd, wanted)) return *found;
-  }
-  return simd.empty() ? scalar_ordered_kernels() : simd.front();
+  const OrderedKernels* simd = chosen_instruction_set(simd_ordered_kernels());
+  return simd == nullptr ? scalar_ordered_kernels() : *simd;
 }
 
 }  // namespace tristim::detail

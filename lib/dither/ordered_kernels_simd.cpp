@@ -12,6 +12,7 @@
 #include <array>
 #include <vector>
 
+#include "lib/core/every_target.h"
 #include "lib/dither/ordered_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -256,27 +257,12 @@ namespace {
 
 HWY_EXPORT(vector_kernels);
 
-std::vector<OrderedKernels> kernels_of_this_processor() {
-  std::vector<OrderedKernels> all;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    if (target == HWY_SCALAR || target == HWY_EMU128) continue;  // ours is the definition
-#if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
-    all.push_back(HWY_DYNAMIC_DISPATCH(vector_kernels)());
-#else
-    hwy::ChosenTarget chosen;  // of our own: the process-wide choice stays as it is
-    chosen.Update(target);
-    all.push_back(HWY_DISPATCH_TABLE(vector_kernels)[chosen.GetIndex()]());
-#endif
-    if (all.back().name == "AVX3") all.back().name = "avx512";
-  }
-  return all;
-}
-
 }  // namespace
 }  // namespace ordered
 
 std::span<const OrderedKernels> simd_ordered_kernels() {
-  static const std::vector<OrderedKernels> kernels = ordered::kernels_of_this_processor();
+  static const std::vector<OrderedKernels> kernels =
+      of_every_target(ordered::HWY_DISPATCH_TABLE(vector_kernels));
   return kernels;
 }
 
