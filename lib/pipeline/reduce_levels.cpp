@@ -1,0 +1,194 @@
+#include "lib/pipeline/reduce_levels.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "lib/dither/planes.h"
+#include "tristim/color/primaries.h"
+
+namespace tristim::detail {
+namespace {
+
+// Light that a metric calls half way between two greys.
+float metric_middle(const Metric& metric, double lower, double upper) {
+  const auto distance2 = [&](double light, double to) {
+    const auto a = metric.place({light, light, light});
+    const auto b = metric.place({to, to, to});
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) sum += (double{a[c]} - b[c]) * (double{a[c]} - b[c]);
+    return sum;
+  };
+  double low = lower;
+  double high = upper;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (low + high) / 2;
+    (distance2(middle, lower) <= distance2(middle, upper) ? low : high) = middle;
+  }
+  return static_cast<float>(high);
+}
+
+// The greys of a palette as levels; codes are positions in it.
+LevelScale palette_scale(const Display& display, const ReduceOptions& options) {
+  const std::vector<Rgb> palette = palette_light(display, options.black_point);
+  const Eigen::RowVector3d weights = xyz_from_rgb(display.primaries).row(1);
+  struct Grey {
+    double light;
+    std::uint16_t position;
+  };
+  std::vector<Grey> greys;
+  for (const Rgb& c : palette) {
+    greys.push_back(
+        {weights * Eigen::Vector3d(c.r, c.g, c.b), static_cast<std::uint16_t>(greys.size())});
+  }
+  std::stable_sort(greys.begin(), greys.end(),
+                   [](const Grey& a, const Grey& b) { return a.light < b.light; });
+  LevelScale scale;
+  for (const Grey& grey : greys) {
+    const auto light = static_cast<float>(grey.light);
+    if (!scale.light.empty() && !(light > scale.light.back())) continue;
+    if (!scale.light.empty()) {
+      scale.threshold.push_back(metric_middle(options.metric, scale.light.back(), light));
+    }
+    scale.light.push_back(light);
+    scale.code.push_back(grey.position);
+    scale.nearest.push_back(grey.position);
+  }
+  return scale;
+}
+
+LevelScale channel_scale(const Display& display, const ReduceOptions& options,
+                         std::size_t channel) {
+  if (!display.palette.empty()) return palette_scale(display, options);
+  return level_scale(display, display.frame.packing.bits[channel], options.black_point);
+}
+
+// The channels of a band, each by itself.
+template <typename T>
+std::array<Raster<T>, 3> planes_of(int width, int height) {
+  return {Raster<T>(width, height, 1), Raster<T>(width, height, 1), Raster<T>(width, height, 1)};
+}
+
+}  // namespace
+
+LevelReducer::LevelReducer(const Display& display, const ReduceOptions& options, int width)
+    : options_(&options),
+      luminance_(xyz_from_rgb(display.primaries).row(1).cast<float>()),
+      tone_before_gain_(display.dots ? display.dots->gain : NoGain{}) {
+  const int count = display.frame.packing.samples;
+  const std::vector<ThresholdMatrix> matrices =
+      dither_matrices(options.dither, options.parameters, count);
+  for (int c = 0; c < count; ++c) {
+    const auto channel = static_cast<std::size_t>(c);
+    scales_.push_back(channel_scale(display, options, channel));
+    const ThresholdMatrix* matrix = matrices.empty() ? nullptr : &matrices[channel];
+    channels_.push_back(channel_reducer(scales_.back(), options, matrix, c, width));
+  }
+}
+
+// The luminances of a row, in its first third; what dots gain is taken off.
+std::span<float> LevelReducer::grey_row(std::span<float> rgb) const {
+  const bool dithered = !std::holds_alternative<NoDither>(options_->dither);
+  const std::span<float> grey = rgb.first(rgb.size() / 3);
+  for (std::size_t x = 0; x < grey.size(); ++x) {  // x never overtakes 3 x
+    const float* p = &rgb[3 * x];
+    const float tone = luminance_[0] * p[0] + luminance_[1] * p[1] + luminance_[2] * p[2];
+    grey[x] = dithered ? tone_before_gain_(tone) : tone;
+  }
+  return grey;
+}
+
+void LevelReducer::reduce_rgb_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
+                                  std::span<const float> strength) {
+  if (std::holds_alternative<OrderedDither>(channels_[0])) {  // three channels at once
+    to_mix(options_->mix, {rgb.data(), static_cast<int>(rgb.size()), 1});
+    const OrderedDither* dithers[3];
+    for (std::size_t c = 0; c < 3; ++c) dithers[c] = &std::get<OrderedDither>(channels_[c]);
+    return OrderedDither::rgb_row(dithers, rgb, y, out, strength);
+  }
+  const auto width = static_cast<int>(rgb.size() / 3);
+  for (std::size_t c = 0; c < 3; ++c) {
+    reduce_row(channels_[c], options_->mix, {rgb.data() + c, width, 3}, y,
+               {out.data() + c, width, 3}, strength);
+  }
+}
+
+// Error diffusion of channels without a mask: many rows of a channel at a time.
+void LevelReducer::diffuse(const Band& band, ImageView<std::uint16_t> codes) {
+  const int width = band.view.width;
+  const int height = band.view.height;
+  const auto rows = [&](std::size_t channel, ImageView<float> light,
+                        ImageView<std::uint16_t> channel_codes) {
+    for (int y = 0; y < height; ++y) to_mix(options_->mix, {light.row(y).data(), width, 1});
+    std::get<LevelDiffusion>(channels_[channel]).rows(light, channel_codes);
+  };
+  if (grey()) {
+    for (int y = 0; y < height; ++y) grey_row(band.view.row(y));
+    return rows(0, {band.view.data, width, height, 1, band.view.stride}, codes);
+  }
+  auto light = planes_of<float>(width, height);
+  auto plane = planes_of<std::uint16_t>(width, height);
+  for (int y = 0; y < height; ++y) {
+    split_row(band.view.row(y), {light[0].view().row(y).data(), light[1].view().row(y).data(),
+                                 light[2].view().row(y).data()});
+  }
+  for (std::size_t c = 0; c < 3; ++c) rows(c, light[c].view(), plane[c].view());
+  for (int y = 0; y < height; ++y) {
+    join_row({plane[0].view().row(y).data(), plane[1].view().row(y).data(),
+              plane[2].view().row(y).data()},
+             codes.row(y));
+  }
+}
+
+// A method for whole pictures sees one channel after the other.
+void LevelReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes) {
+  Image light(band.view.width, band.view.height, 1);
+  Raster<std::uint16_t> channel_codes(band.view.width, band.view.height, 1);
+  const DitherParameters& told = options_->parameters;
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    for (int y = 0; y < band.view.height; ++y) {
+      const std::span<float> rgb = band.view.row(y);
+      const std::span<float> row = light.view().row(y);
+      if (grey()) {
+        std::ranges::copy(grey_row(rgb), row.begin());
+      } else {
+        for (std::size_t x = 0; x < row.size(); ++x) row[x] = rgb[3 * x + c];
+      }
+      to_mix(options_->mix, {row.data(), band.view.width, 1});
+    }
+    const auto& whole = std::get<WholeChannel>(channels_[c]);
+    whole.dither->channel(light.view(), whole.levels,
+                          {told.seed, told.effort, told.strength, band.dither_mask},
+                          channel_codes.view());
+    for (int y = 0; y < codes.height; ++y) {
+      const std::span<const std::uint16_t> from = channel_codes.view().row(y);
+      for (std::size_t x = 0; x < from.size(); ++x) {
+        codes.row(y)[channels_.size() * x + c] = from[x];
+      }
+    }
+  }
+}
+
+void LevelReducer::reduce(Band band, ImageView<std::uint16_t> codes) {
+  const float strength = options_->parameters.strength;
+  if (std::holds_alternative<WholeChannel>(channels_[0])) return reduce_whole(band, codes);
+  if (std::holds_alternative<LevelDiffusion>(channels_[0]) && strength == 1 &&
+      band.dither_mask.data == nullptr) {
+    return diffuse(band, codes);
+  }
+  for (int row = 0; row < band.view.height; ++row) {
+    const std::vector<float> shares = row_strength(band, row, strength);
+    const std::span<float> rgb = band.view.row(row);
+    const std::span<std::uint16_t> out = codes.row(row);
+    const int y = band.y0 + row;
+    if (!grey()) {
+      reduce_rgb_row(rgb, y, out, shares);
+      continue;
+    }
+    const int width = band.view.width;
+    reduce_row(channels_[0], options_->mix, {grey_row(rgb).data(), width, 1}, y,
+               {out.data(), width, 1}, shares);
+  }
+}
+
+}  // namespace tristim::detail

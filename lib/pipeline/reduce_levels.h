@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/pipeline/channel_reducer.h"
+#include "lib/pipeline/ink_planes.h"
+
+namespace tristim::detail {
+
+/// Light to the levels of a device's channels: of three colours, or the luminance alone.
+class LevelReducer {
+ public:
+  /// `options` must outlive this.
+  LevelReducer(const Display& display, const ReduceOptions& options, int width);
+
+  void reduce(Band band, ImageView<std::uint16_t> codes);
+
+  /// By channel.
+  std::span<const LevelScale> scales() const noexcept { return scales_; }
+
+ private:
+  bool grey() const noexcept { return channels_.size() == 1; }
+  std::span<float> grey_row(std::span<float> rgb) const;
+  void reduce_rgb_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
+                      std::span<const float> strength);
+  void diffuse(const Band& band, ImageView<std::uint16_t> codes);
+  void reduce_whole(const Band& band, ImageView<std::uint16_t> codes);
+
+  const ReduceOptions* options_;
+  std::vector<LevelScale> scales_;
+  std::vector<ChannelReducer> channels_;
+  Eigen::RowVector3f luminance_;
+  ToneBeforeGain tone_before_gain_;
+};
+
+}  // namespace tristim::detail
