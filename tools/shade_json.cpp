@@ -150,6 +150,20 @@ std::vector<Eigen::Vector3d> JsonRow::vectors(std::string_view key) const {
   return all;
 }
 
+PolygonMesh polygon_mesh_of(const JsonRow& in) {
+  PolygonMesh mesh{.vertices = in.vectors("vertices"), .faces = {}, .planes = {}};
+  const auto count = static_cast<double>(mesh.vertices.size());
+  for (const std::vector<double>& numbers : in.number_lists("faces", 0)) {
+    std::vector<std::size_t>& face = mesh.faces.emplace_back();
+    for (const double number : numbers) {
+      const bool good = number >= 0 && number < count && number == std::trunc(number);
+      if (!good) in.refuse("faces", "names a vertex that is not there", "count from 0");
+      face.push_back(static_cast<std::size_t>(number));
+    }
+  }
+  return mesh;
+}
+
 Json vector_json(const Eigen::Vector3d& vector) {
   return {number_json(vector.x()), number_json(vector.y()), number_json(vector.z())};
 }

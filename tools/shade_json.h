@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tristim/color/rgb.h"
+#include "tristim/light/normals.h"
 
 namespace tristim::tools {
 
@@ -45,6 +46,9 @@ class JsonRow {
   const Json& object_;
   std::string place_;
 };
+
+/// The mesh of the members "vertices" and "faces", which count them from 0.
+PolygonMesh polygon_mesh_of(const JsonRow& in);
 
 /// Vectors and colours as lists of numbers; NaN is null, infinity "inf".
 Json vector_json(const Eigen::Vector3d& vector);

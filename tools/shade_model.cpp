@@ -60,6 +60,10 @@ Rgb ShadeRow::color(std::string_view name) const {
   return {numbers_[at], numbers_[at + 1], numbers_[at + 2]};
 }
 
+void ShadeRow::set(std::string_view name, const Eigen::Vector2d& value) {
+  std::copy_n(value.data(), 2, numbers_.begin() + static_cast<std::ptrdiff_t>(place(name)));
+}
+
 void ShadeRow::set(std::string_view name, const Eigen::Vector3d& value) {
   std::copy_n(value.data(), 3, numbers_.begin() + static_cast<std::ptrdiff_t>(place(name)));
 }
@@ -74,7 +78,7 @@ std::span<const ShadeModel> shade_models() {
     for (const auto topic :
          {vector_models(), source_models(), reflection_models(), highlight_models(),
           microfacet_models(), appearance_models(), radiometry_models(), polygon_models(),
-          spectral_models(), opengl_models(), raster_models()}) {
+          spectral_models(), opengl_models(), raster_models(), scanline_models()}) {
       models.insert(models.end(), topic.begin(), topic.end());
     }
     return models;

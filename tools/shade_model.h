@@ -55,6 +55,7 @@ class ShadeRow {
   const std::string& word(std::string_view name) const { return words_[place(name)]; }
 
   void set(std::string_view name, double value) { numbers_[place(name)] = value; }
+  void set(std::string_view name, const Eigen::Vector2d& value);
   void set(std::string_view name, const Eigen::Vector3d& value);
   void set(std::string_view name, const Rgb& value);
 
@@ -98,5 +99,6 @@ std::span<const ShadeModel> polygon_models();
 std::span<const ShadeModel> spectral_models();
 std::span<const ShadeModel> opengl_models();
 std::span<const ShadeModel> raster_models();
+std::span<const ShadeModel> scanline_models();
 
 }  // namespace tristim::tools

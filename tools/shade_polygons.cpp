@@ -19,24 +19,9 @@ Json polygon(const JsonRow& in) {
             {"unit", vector_json(unit_newell_normal(vertices))}}}};
 }
 
-std::vector<std::size_t> face_of(const JsonRow& in, const std::vector<double>& numbers,
-                                 std::size_t vertices) {
-  std::vector<std::size_t> face;
-  for (const double number : numbers) {
-    const bool good = number >= 0 && number < static_cast<double>(vertices) &&
-                      number == static_cast<double>(static_cast<std::size_t>(number));
-    if (!good) in.refuse("faces", "names a vertex that is not there", "count from 0");
-    face.push_back(static_cast<std::size_t>(number));
-  }
-  return face;
-}
-
 constexpr Column kMeshIn[] = {{"vertices", kJson}, {"faces", kJson}, {"planes", kJson}};
 Json mesh_normals(const JsonRow& in) {
-  PolygonMesh mesh{.vertices = in.vectors("vertices"), .faces = {}, .planes = {}};
-  for (const std::vector<double>& numbers : in.number_lists("faces", 0)) {
-    mesh.faces.push_back(face_of(in, numbers, mesh.vertices.size()));
-  }
+  PolygonMesh mesh = polygon_mesh_of(in);
   const bool planes = in.has("planes") && !in.value("planes").is_null();
   if (planes) {
     mesh.planes = in.vectors("planes");

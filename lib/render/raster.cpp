@@ -44,12 +44,16 @@ struct RowCrossing {
   }
 };
 
+RowCrossing row_crossing(std::span<const Vector2d> polygon, std::size_t i, double y) noexcept {
+  const Vector2d& a = polygon[i];
+  const Vector2d& b = polygon[(i + 1) % polygon.size()];
+  return a.y() <= b.y() ? RowCrossing{a, b, y} : RowCrossing{b, a, y};
+}
+
 std::vector<int> crossings_of_row(std::span<const Vector2d> polygon, double y, int width) {
   std::vector<int> first;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2d& a = polygon[i];
-    const Vector2d& b = polygon[(i + 1) % polygon.size()];
-    const RowCrossing edge = a.y() <= b.y() ? RowCrossing{a, b, y} : RowCrossing{b, a, y};
+    const RowCrossing edge = row_crossing(polygon, i, y);
     if (edge.reaches()) first.push_back(edge.first_pixel(width));
   }
   std::sort(first.begin(), first.end());
@@ -103,6 +107,43 @@ std::vector<PixelRun> parity_fill(int width, int height, std::span<const Vector2
   return runs;
 }
 
+PixelBox bounding_box(int width, int height, std::span<const Vector2d> polygon) noexcept {
+  if (polygon.empty()) return {};
+  Vector2d least = polygon[0];
+  Vector2d most = polygon[0];
+  for (const Vector2d& corner : polygon) {
+    least = least.cwiseMin(corner);
+    most = most.cwiseMax(corner);
+  }
+  // The first pixel whose centre is not below `edge`.
+  const auto first_from = [](double edge, int side) {
+    return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, double(side)));
+  };
+  const PixelBox box{first_from(least.x(), width), first_from(least.y(), height),
+                     first_from(most.x(), width), first_from(most.y(), height)};
+  return box.first_x < box.last_x && box.first_y < box.last_y ? box : PixelBox{};
+}
+
+bool is_inside(std::span<const Vector2d> polygon, const Vector2d& point) noexcept {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const RowCrossing edge = row_crossing(polygon, i, point.y());
+    if (edge.reaches() && edge.at_or_left_of(point.x())) inside = !inside;
+  }
+  return inside;
+}
+
+std::vector<PixelRun> bounding_box_fill(int width, int height, std::span<const Vector2d> polygon) {
+  const PixelBox box = bounding_box(width, height, polygon);
+  std::vector<PixelRun> runs;
+  for (int y = box.first_y; y < box.last_y; ++y) {
+    for (int x = box.first_x; x < box.last_x; ++x) {
+      if (is_inside(polygon, {x + 0.5, y + 0.5})) add_run(runs, {y, x, x + 1});
+    }
+  }
+  return runs;
+}
+
 std::vector<std::string> flood_fill(std::vector<std::string> rows, long long x, long long y,
                                     Connectivity connectivity) {
   constexpr std::array<Pixel, 8> kNeighbours{
@@ -122,6 +163,19 @@ std::vector<std::string> flood_fill(std::vector<std::string> rows, long long x, 
     }
   }
   return rows;
+}
+
+std::vector<std::string> outline_fill(int width, int height, std::span<const Pixel> corners,
+                                      Pixel seed, Connectivity connectivity) {
+  std::vector<std::string> rows(static_cast<std::size_t>(height),
+                                std::string(static_cast<std::size_t>(width), '0'));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (const Pixel& p : midpoint_line(corners[i], corners[(i + 1) % corners.size()])) {
+      const bool seen = p.x >= 0 && p.y >= 0 && p.x < width && p.y < height;
+      if (seen) rows[static_cast<std::size_t>(p.y)][static_cast<std::size_t>(p.x)] = '1';
+    }
+  }
+  return flood_fill(std::move(rows), seed.x, seed.y, connectivity);
 }
 
 }  // namespace tristim

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace tristim {
 namespace {
 
@@ -58,6 +60,40 @@ TEST(FloodFill, FourOrEightNeighbours) {
   EXPECT_EQ(flood_fill(corner, 0, 0, Connectivity::kEight), (std::vector<std::string>{"21", "12"}));
   EXPECT_EQ(flood_fill(corner, 1, 0, Connectivity::kEight), corner);  // on a 1
   EXPECT_EQ(flood_fill(corner, -1, 5, Connectivity::kEight), corner);
+}
+
+TEST(BoundingBox, HoldsTheCentresThatCanBeLit) {
+  using Polygon = std::vector<Eigen::Vector2d>;
+  const Polygon box{{2, 2}, {10, 2}, {10, 10}, {2, 10}};
+  EXPECT_EQ(bounding_box(32, 32, box), (PixelBox{2, 2, 10, 10}));
+  EXPECT_EQ(bounding_box(8, 32, box), (PixelBox{2, 2, 8, 10}));
+  const Polygon between{{2.6, 2.6}, {3.4, 2.6}, {3, 3.4}};  // no centre
+  EXPECT_EQ(bounding_box(32, 32, between), PixelBox{});
+  EXPECT_EQ(bounding_box(32, 32, Polygon{}), PixelBox{});
+}
+
+TEST(BoundingBoxFill, LightsTheSamePixelsAsTheScanlines) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(-4, 24);
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Eigen::Vector2d> polygon;
+    for (int corner = 0; corner < 3 + i % 4; ++corner) {
+      polygon.emplace_back(place(random), place(random));
+      if (i % 2 == 0) polygon.back() = (polygon.back() * 2).array().round() / 2;  // onto centres
+    }
+    EXPECT_EQ(bounding_box_fill(20, 20, polygon), parity_fill(20, 20, polygon));
+  }
+}
+
+TEST(OutlineFill, DrawsLinesThenFloods) {
+  const std::vector<Pixel> diamond{{2, 0}, {4, 2}, {2, 4}, {0, 2}};
+  EXPECT_EQ(outline_fill(5, 5, diamond, {2, 2}, Connectivity::kFour),
+            (std::vector<std::string>{"00100", "01210", "12221", "01210", "00100"}));
+  // Eight neighbours run out between the corners.
+  EXPECT_EQ(outline_fill(5, 5, diamond, {2, 2}, Connectivity::kEight),
+            (std::vector<std::string>{"22122", "21212", "12221", "21212", "22122"}));
+  EXPECT_EQ(outline_fill(3, 3, std::vector<Pixel>{{-5, 1}, {9, 1}}, {0, 0}, Connectivity::kFour),
+            (std::vector<std::string>{"222", "111", "000"}));
 }
 
 }  // namespace

@@ -209,6 +209,40 @@ TEST_F(ShadeCommand, MatchesExponents) {
           "options, column phong_r: -1 is out of range; give 0 or more");
 }
 
+TEST_F(ShadeCommand, TeachesRasterization) {
+  const auto answer = [&](const std::string& model, const std::string& object) {
+    return parsed(good("shade " + model + " -", input(object)))[0]["expect"];
+  };
+  const auto rows =
+      answer("scanline", R"({"size":[4,4],"polygon":[[0,0],[4,0],[0,4]],"I":[0,1,0]})");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1]["u"], 0.625);
+  EXPECT_EQ(rows[1]["I"], nlohmann::json({0.125, 0.375}));
+  EXPECT_LE(answer("gouraud_drift", R"({"xQ":0,"xR":999,"IQ":0,"IR":1})")["drift"], 1e-4);
+  EXPECT_EQ(answer("normal_incremental", R"({"xQ":0,"xR":2,"NQ":[1,0,0],"NR":[-1,0,2]})")[1],
+            nlohmann::json({0, 0, 1}));
+  EXPECT_EQ(answer("bounding_box", R"({"size":[32,32],"polygon":[[2,2],[10,2],[2,10]]})"),
+            nlohmann::json({2, 2, 10, 10}));
+  EXPECT_EQ(
+      answer("outline_fill", R"({"size":[3,3],"polygon":[[-1,1],[3,1]],"seed":[0,0]})")["conn4"][0],
+      "222");
+  const auto gap = answer("t_junctions", R"({"vertices":[[0,0,0],[2,0,0],[1,2,0],[1,0,0],[0,-1,0]],
+                                            "faces":[[0,1,2],[4,3,0]],"I":[0,1,0,0.25,0]})");
+  EXPECT_EQ(gap[0]["gap"], 0.25);
+  EXPECT_EQ(answer("mach_bands", R"({"image":[[0,0,1,2]]})"), nlohmann::json({{0, -1, 0, 0}}));
+  EXPECT_EQ(good("shade barycentric --Ax 0 --Ay 0 --Bx 4 --By 0 --Cx 0 --Cy 4 --Px 1 --Py 1"),
+            "alpha,beta,gamma,alpha_axes,beta_axes,gamma_axes,combinationx,combinationy,convex\n"
+            "0.5,0.25,0.25,0.5,0.25,0.25,1,1,1\n");
+  refuses("shade scanline -", 3,
+          "standard input, object 1 (scanline): 'I' has 1 numbers; give 3, "
+          "one for each vertex",
+          input(R"({"size":[4,4],"polygon":[[0,0],[4,0],[0,4]],"I":[0]})"));
+  refuses("shade mach_bands -", 3,
+          "standard input, object 1 (mach_bands): 'image' has rows of "
+          "several lengths",
+          input(R"({"image":[[0],[1,2]]})"));
+}
+
 // A grazing eye, an eye opposite the light, nothing at all.
 TEST_F(ShadeCommand, FiniteInputIsNeverNan) {
   const std::string rows =

@@ -42,6 +42,24 @@ struct PixelRun {
 /// 2^-100 of their products.
 std::vector<PixelRun> parity_fill(int width, int height, std::span<const Eigen::Vector2d> polygon);
 
+/// Pixels first_x..last_x - 1 of the rows first_y..last_y - 1; none where a last is not above its
+/// first.
+struct PixelBox {
+  int first_x = 0, first_y = 0, last_x = 0, last_y = 0;
+  friend constexpr bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
+/// The least box of pixels of a picture of `width` x `height` that holds every centre that
+/// parity_fill can light. All 0 where there is none.
+PixelBox bounding_box(int width, int height, std::span<const Eigen::Vector2d> polygon) noexcept;
+
+/// Whether a point is inside of a polygon by the rule of parity, as parity_fill has it.
+bool is_inside(std::span<const Eigen::Vector2d> polygon, const Eigen::Vector2d& point) noexcept;
+
+/// The same runs as parity_fill's, found by asking each centre of the bounding box.
+std::vector<PixelRun> bounding_box_fill(int width, int height,
+                                        std::span<const Eigen::Vector2d> polygon);
+
 /// Which pixels count as neighbours in a flood fill.
 enum class Connectivity { kFour, kEight };
 
@@ -50,5 +68,11 @@ enum class Connectivity { kFour, kEight };
 /// one length.
 std::vector<std::string> flood_fill(std::vector<std::string> rows, long long x, long long y,
                                     Connectivity connectivity);
+
+/// A polygon by its edges [UBC]: lines between the corners, '1', then a flood from a pixel inside,
+/// '2'. Rows of '0' where neither is; corners may lie outside of the picture, seeds that do fill
+/// nothing. Eight neighbours run through the corners of a line.
+std::vector<std::string> outline_fill(int width, int height, std::span<const Pixel> corners,
+                                      Pixel seed, Connectivity connectivity);
 
 }  // namespace tristim
