@@ -124,8 +124,9 @@ HWY_INLINE void load_lanes(const float* from, Float& x) { x = hn::LoadU(FloatTag
 HWY_INLINE void load_lanes(const float* from, Double& x) {
   x = hn::PromoteTo(DoubleTag(), hn::LoadU(HalfTag(), from));
 }
-template <class V>
-HWY_INLINE void load_lanes(const float* from, Pair<V>& x) {
+HWY_INLINE void load_lanes(const double* from, Double& x) { x = hn::LoadU(DoubleTag(), from); }
+template <class T, class V>
+HWY_INLINE void load_lanes(const T* from, Pair<V>& x) {
   load_lanes(from, x.low);
   load_lanes(from + lanes_of(x.low), x.high);
 }
@@ -190,6 +191,11 @@ struct VectorLanes {
     return x;
   }
   static HWY_INLINE D load_wide(const float* from) {
+    D x;
+    load_lanes(from, x);
+    return x;
+  }
+  static HWY_INLINE D load_double(const double* from) {
     D x;
     load_lanes(from, x);
     return x;

@@ -19,6 +19,7 @@ struct ScalarLanes {
   static F f(float x) noexcept { return x; }
   static D d(double x) noexcept { return x; }
   static D load_wide(const float* from) noexcept { return *from; }
+  static D load_double(const double* from) noexcept { return *from; }
   static F narrow(D x) noexcept { return static_cast<float>(x); }
   static D widen(F x) noexcept { return x; }
 

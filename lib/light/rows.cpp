@@ -99,15 +99,27 @@ PlacedLight placed(const Lamp& light) {
   return at;
 }
 
-RowLight row_light(const Light& light, const Rgb& diffuse, const Rgb& specular, double most) {
-  auto [row, intensity] = std::visit([](const auto& each) { return placed(each); }, light);
-  row.diffuse_r = limited(intensity.r * diffuse.r, most);
-  row.diffuse_g = limited(intensity.g * diffuse.g, most);
-  row.diffuse_b = limited(intensity.b * diffuse.b, most);
-  row.specular_r = limited(intensity.r * specular.r, most);
-  row.specular_g = limited(intensity.g * specular.g, most);
-  row.specular_b = limited(intensity.b * specular.b, most);
-  return row;
+void set_colors(RowLight& row, const RowLightColors& colors, double diffuse_scale, double most) {
+  row.diffuse_r = limited(diffuse_scale * colors.diffuse.r, most);
+  row.diffuse_g = limited(diffuse_scale * colors.diffuse.g, most);
+  row.diffuse_b = limited(diffuse_scale * colors.diffuse.b, most);
+  row.specular_r = limited(colors.specular.r, most);
+  row.specular_g = limited(colors.specular.g, most);
+  row.specular_b = limited(colors.specular.b, most);
+}
+
+void add_lights(RowConstants& c, const RowShading& shading, double most) {
+  const Material& material = shading.material;
+  const Rgb diffuse = product(material.kd, material.od);
+  const Rgb specular = product(material.ks, material.os);
+  const double diffuse_scale = c.lobe == RowLobe::kCookTorrance ? 1 / kPi : 1;
+  for (std::size_t i = 0; i < shading.lights.size(); ++i) {
+    auto [row, intensity] =
+        std::visit([](const auto& each) { return placed(each); }, shading.lights[i]);
+    const RowLightColors own{product(intensity, diffuse), product(intensity, specular)};
+    set_colors(row, shading.colors.empty() ? own : shading.colors[i], diffuse_scale, most);
+    c.lights.push_back(row);
+  }
 }
 
 void check_sizes(const SurfaceRows& s, const LightRows& out) {
@@ -144,13 +156,11 @@ RowConstants row_constants(const RowShading& shading, const SurfaceRows& surface
   check("index eta", shading.eta, shading.eta > 0 && shading.eta <= 1e6, "above 0, to 1e6");
   RowConstants c;
   set_lobe(c, shading);
-  const double kd = c.lobe == RowLobe::kCookTorrance ? material.kd / kPi : material.kd;
-  const Rgb diffuse = product(kd, material.od);
-  const Rgb specular = product(material.ks, material.os);
+  check("colors", static_cast<double>(shading.colors.size()),
+        shading.colors.empty() || shading.colors.size() == shading.lights.size(),
+        "none, or one for each light");
   const double most = 1e18 / (1.0 + static_cast<double>(shading.lights.size()));
-  for (const Light& each : shading.lights) {
-    c.lights.push_back(row_light(each, diffuse, specular, most));
-  }
+  add_lights(c, shading, most);
   c.local_viewer = shading.local_viewer;
   const Eigen::Vector3d eye = c.local_viewer ? shading.eye : normalize(shading.eye);
   c.eye_x = eye.x();

@@ -53,6 +53,12 @@ inline constexpr RowModel kCookTorranceRows{
 inline constexpr std::array kRowModels{kLambertRows, kPhongRows, kBlinnPhongRows,
                                        kCookTorranceRows};
 
+/// The colours of a light on a material where the caller has multiplied them, as for spectra.
+struct RowLightColors {
+  Rgb diffuse = {};   // Ip kd Od
+  Rgb specular = {};  // Ip ks Os
+};
+
 /// How rows are lit. What a model's formula does not name does not count.
 struct RowShading {
   RowModel model = kPhongRows;
@@ -60,9 +66,10 @@ struct RowShading {
   double m = 0.3;          // Beckmann's roughness, above 0
   double eta = 1.5;        // index of the surface, relative to what is in front of it, above 0
   Rgb ambient = {};        // Ia
-  Eigen::Vector3d eye{0, 0, 1};        // its place, or the direction to it
-  bool local_viewer = true;            // `eye` is a place
-  std::span<const Light> lights = {};  // directional, point and spot lights
+  Eigen::Vector3d eye{0, 0, 1};                 // its place, or the direction to it
+  bool local_viewer = true;                     // `eye` is a place
+  std::span<const Light> lights = {};           // directional, point and spot lights
+  std::span<const RowLightColors> colors = {};  // of each light, or none: those of its intensity
 };
 
 /// The complete illumination equation for each sample, ka Ia Od and the lights one after the other;
@@ -71,8 +78,8 @@ struct RowShading {
 ///
 /// A spot's exponent adds to n in the bound, and its edge is sharp to 1e-15 of the cosine's square.
 ///
-/// Throws std::invalid_argument where rows differ in length, and for n, m, eta or a spot's cutoff
-/// or exponent out of range.
+/// Throws std::invalid_argument where rows differ in length, `colors` are fewer or more than
+/// lights, and for n, m, eta or a spot's cutoff or exponent out of range.
 void shade_rows(const RowShading& shading, const SurfaceRows& surface, const LightRows& light);
 
 /// x^n for each sample by the kernel that the lobes use: within 2 ulp (measured: 1.4) for x > 0 and

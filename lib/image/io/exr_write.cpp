@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,27 @@ namespace detail {
 namespace {
 
 constexpr int kChunkRows = 16;  // of the compression ZIP
+
+// Each channel's place in the rows by its name; a file has them in this order.
+std::map<std::string, int> named_channels(const PictureInfo& info,
+                                          const std::vector<std::string>& names) {
+  if (names.empty() && info.grey) {
+    return info.channels == 4 ? std::map<std::string, int>{{"A", 3}, {"Y", 0}}
+                              : std::map<std::string, int>{{"Y", 0}};
+  }
+  std::map<std::string, int> channels;
+  const std::vector<std::string> colors{"R", "G", "B", "A"};
+  const std::vector<std::string>& used = names.empty() ? colors : names;
+  for (int i = 0; i < std::min(info.channels, static_cast<int>(used.size())); ++i) {
+    channels.emplace(used[static_cast<std::size_t>(i)], i);
+  }
+  const auto count = static_cast<std::size_t>(info.channels);
+  if (channels.size() != count || channels.contains("")) {
+    throw std::invalid_argument("names of channels: expected " + std::to_string(count) +
+                                " different ones");
+  }
+  return channels;
+}
 
 class ExrSink final : public RowSink {
  public:
@@ -110,17 +133,9 @@ void ExrSink::write_header(const ExrWriteOptions& options) {
   check(exr_initialize_required_attr_simple(context_, part, info_.width, info_.height,
                                             EXR_COMPRESSION_ZIP));
   check(exr_set_pixel_aspect_ratio(context_, part, static_cast<float>(info_.pixel_aspect)));
-  const auto add = [&](const char* name, int channel) {
-    check(exr_add_channel(context_, part, name, type_, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
+  for (const auto& [name, channel] : named_channels(info_, options.channels)) {
+    check(exr_add_channel(context_, part, name.c_str(), type_, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
     channels_.push_back(channel);
-  };
-  if (info_.channels == 4) add("A", 3);
-  if (info_.grey) {
-    add("Y", 0);
-  } else {
-    add("B", 2);
-    add("G", 1);
-    add("R", 0);
   }
   const Primaries& p = info_.primaries;
   const auto single = [](double value) { return static_cast<float>(value); };

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/render/view.h"
+#include "lib/render/world.h"
+
+namespace tristim::detail {
+
+/// A place in the picture in whole steps of 2^-bits of a pixel.
+struct FixedPoint {
+  std::int32_t x = 0, y = 0;
+};
+
+/// What is drawn of a triangle of the world: itself, or a piece of it that clipping left. Corners
+/// run so that its inside is where all edge functions are above 0; it has an area.
+struct DeviceTriangle {
+  std::array<FixedPoint, 3> at{};
+  std::array<double, 3> nearness{};  // at the corners: 1/w, -distance where orthographic
+  std::uint32_t triangle = 0;        // of the world
+  bool back = false;                 // seen from behind
+};
+
+/// The fixed-point grid of a picture. Places within `guard` pixels of the picture leave edge
+/// functions in 64 bits.
+struct FixedGrid {
+  int bits = 16;
+  double guard = 0;
+};
+
+FixedGrid fixed_grid(int width, int height) noexcept;
+
+/// A corner of the world in the picture.
+struct DeviceVertex {
+  DevicePoint point;
+  FixedPoint at;
+  std::uint32_t outside = 0;  // a bit for each plane that it is behind
+};
+
+DeviceVertex device_vertex(const View& view, const FixedGrid& grid,
+                           const Eigen::Vector3d& world) noexcept;
+
+/// What is seen of the triangles first..last - 1, in their order: nothing of what lies outside, of
+/// back faces whose material has one side, or of triangles that have no area in the picture.
+void add_device_triangles(const View& view, const FixedGrid& grid, const World& world,
+                          std::span<const DeviceVertex> vertices,
+                          std::span<const SceneMaterial> materials, std::uint32_t first,
+                          std::uint32_t last, std::vector<DeviceTriangle>& out);
+
+}  // namespace tristim::detail

@@ -1,0 +1,93 @@
+#include "lib/render/hit_rows.h"
+
+#include <hwy/base.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lib/core/exponent.h"
+#include "lib/core/lanes_scalar.h"
+
+namespace tristim::detail {
+namespace {
+
+#include "lib/render/hit_lanes-inl.h"
+
+HitRun run_from(const VisibilityPlane& plane, std::size_t row, int x, int y, std::uint32_t id) {
+  return {static_cast<std::uint32_t>(row + static_cast<std::size_t>(x)), id, plane.rect.x0 + x,
+          plane.rect.y0 + y, 0};
+}
+
+void set_axes(float (&out)[3], const Eigen::Vector3d& v) {
+  for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(v[i]);
+}
+
+}  // namespace
+
+void find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
+  runs.clear();
+  const int width = plane.rect.width;
+  for (int y = 0; y < plane.rect.height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    const std::uint32_t* id = plane.id.data() + row;
+    for (int x = 0; x < width;) {
+      const int first = x;
+      const std::uint32_t seen = id[x];
+      while (x < width && id[x] == seen) ++x;
+      if (seen == kNothing) continue;
+      runs.push_back(run_from(plane, row, first, y, seen));
+      runs.back().length = static_cast<std::uint32_t>(x - first);
+    }
+  }
+}
+
+void HitRows::resize(std::size_t most) {
+  pixel.resize(most + kHitPadding);
+  for (auto* row : {&sample_x, &sample_y, &x, &y, &z, &nx, &ny, &nz}) {
+    row->resize(most + kHitPadding);
+  }
+  for (auto* row : {&nearness, &raw_x, &raw_y, &raw_z}) row->resize(most + kHitPadding);
+}
+
+SurfaceRows HitRows::surface() const noexcept {
+  const auto row = [&](const std::vector<float>& values) {
+    return std::span<const float>(values.data(), size);
+  };
+  return {row(x), row(y), row(z), row(nx), row(ny), row(nz)};
+}
+
+HitRays hit_rays(const View& view) noexcept {
+  HitRays rays;
+  rays.orthographic = view.orthographic;
+  const ViewRay corner = view_ray(view, 0, 0);
+  const Eigen::Vector3d start = view.orthographic ? corner.from : corner.along;
+  set_axes(rays.start, start);
+  set_axes(rays.dx, view.right / view.scale);
+  set_axes(rays.dy, -view.up / view.scale);
+  set_axes(rays.along, corner.along);
+  return rays;
+}
+
+void add_run(const HitRun& run, const SurfacePlanes& planes, double shift_x, double shift_y,
+             HitRows& rows) {
+  const double down = run.y + shift_y - planes.y0;
+  for (std::uint32_t i = 0; i < run.length; ++i) {
+    const double x = run.x + static_cast<double>(i) + shift_x;
+    const double across = x - planes.x0;
+    const std::size_t at = rows.size++;
+    rows.pixel[at] = run.pixel + i;
+    rows.sample_x[at] = static_cast<float>(x);
+    rows.sample_y[at] = static_cast<float>(run.y + shift_y);
+    rows.nearness[at] = planes.nearness.at(across, down);
+    rows.raw_x[at] = planes.nx.at(across, down);
+    rows.raw_y[at] = planes.ny.at(across, down);
+    rows.raw_z[at] = planes.nz.at(across, down);
+  }
+}
+
+void finish_hits(const HitRays& rays, bool facing, HitRows& rows) {
+  for (std::size_t i = 0; i < rows.size; ++i) finish_at<ScalarLanes>(rays, facing, rows, i);
+}
+
+}  // namespace tristim::detail

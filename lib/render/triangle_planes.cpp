@@ -1,0 +1,102 @@
+#include "lib/render/triangle_planes.h"
+
+#include "lib/render/cross.h"
+#include "tristim/light/vector.h"
+
+namespace tristim::detail {
+namespace {
+
+using Eigen::Vector3d;
+
+using Corners = std::array<DevicePoint, 3>;
+
+Corners device_corners(const View& view, const World& world, const WorldTriangle& triangle) {
+  return {to_device(view, world.positions[triangle.position[0]]),
+          to_device(view, world.positions[triangle.position[1]]),
+          to_device(view, world.positions[triangle.position[2]])};
+}
+
+// As if all corners were equally far away.
+void flatten(Corners& corners) noexcept {
+  for (const DevicePoint& p : corners) {
+    if (!(p.w > 0)) return;
+  }
+  for (DevicePoint& p : corners) p = {p.x / p.w, p.y / p.w, 1, p.distance};
+}
+
+// The rows of the inverse of the matrix whose columns are the corners (x, y, w).
+CornerWeights weights_of(const FixedGrid& grid, const Corners& corners, const FixedPoint& origin) {
+  const double pixel = 1.0 / static_cast<double>(std::int64_t{1} << grid.bits);
+  CornerWeights weights;
+  weights.x0 = origin.x * pixel;
+  weights.y0 = origin.y * pixel;
+  std::array<Vector3d, 3> columns;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DevicePoint& p = corners[i];
+    columns[i] = Vector3d(p.x - weights.x0 * p.w, p.y - weights.y0 * p.w, p.w);
+  }
+  const Vector3d first = cross(columns[1], columns[2]);
+  const double inverse = 1 / dot(first, columns[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3d row = inverse * cross(columns[(i + 1) % 3], columns[(i + 2) % 3]);
+    weights.corners[i] = {row.z(), row.x(), row.y()};
+  }
+  return weights;
+}
+
+Plane plane_of_normal(const CornerWeights& weights, const std::array<Vector3d, 3>& normals,
+                      int axis) noexcept {
+  return weights.of(normals[0][axis], normals[1][axis], normals[2][axis]);
+}
+
+Plane sum(const Plane& a, const Plane& b) noexcept {
+  return {a.start + b.start, a.dx + b.dx, a.dy + b.dy};
+}
+
+}  // namespace
+
+Plane CornerWeights::of(double a, double b, double c) const noexcept {
+  const auto& [pa, pb, pc] = corners;
+  return {a * pa.start + b * pb.start + c * pc.start, a * pa.dx + b * pb.dx + c * pc.dx,
+          a * pa.dy + b * pb.dy + c * pc.dy};
+}
+
+CornerWeights corner_weights(const View& view, const FixedGrid& grid, const World& world,
+                             const DeviceTriangle& drawn, bool affine) {
+  Corners corners = device_corners(view, world, world.triangles[drawn.triangle]);
+  if (affine) flatten(corners);
+  return weights_of(grid, corners, drawn.at[0]);
+}
+
+std::array<Vector3d, 3> corner_normals(const World& world, const WorldTriangle& triangle) {
+  std::array<Vector3d, 3> normals;
+  const auto& [a, b, c] = triangle.normal;
+  const bool needs_face = a == kNoIndex || b == kNoIndex || c == kNoIndex;
+  const Vector3d face = needs_face ? face_normal(world, triangle) : Vector3d::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    normals[i] = triangle.normal[i] == kNoIndex ? face : world.normals[triangle.normal[i]];
+  }
+  return normals;
+}
+
+SurfacePlanes surface_planes(const View& view, const FixedGrid& grid, const World& world,
+                             const DeviceTriangle& drawn, bool affine) {
+  const WorldTriangle& triangle = world.triangles[drawn.triangle];
+  const Corners corners = device_corners(view, world, triangle);
+  const CornerWeights weights = weights_of(grid, corners, drawn.at[0]);
+  SurfacePlanes planes;
+  planes.x0 = weights.x0;
+  planes.y0 = weights.y0;
+  const auto& [a, b, c] = weights.corners;
+  planes.nearness = view.orthographic
+                        ? weights.of(corners[0].distance, corners[1].distance, corners[2].distance)
+                        : sum(sum(a, b), c);
+  const CornerWeights& shares = affine ? corner_weights(view, grid, world, drawn, true) : weights;
+  const std::array<Vector3d, 3> normals = corner_normals(world, triangle);
+  planes.nx = plane_of_normal(shares, normals, 0);
+  planes.ny = plane_of_normal(shares, normals, 1);
+  planes.nz = plane_of_normal(shares, normals, 2);
+  return planes;
+}
+
+}  // namespace tristim::detail

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "lib/render/device_triangles.h"
+
+namespace tristim::detail {
+
+/// A value that is linear in the picture: start + dx (x - x0) + dy (y - y0), in pixels.
+struct Plane {
+  double start = 0, dx = 0, dy = 0;
+
+  double at(double across, double down) const noexcept { return start + (dx * across + dy * down); }
+};
+
+/// The parts that a triangle's corners have in the point that a pixel sees, over w: their sum is
+/// 1/w (1 where the camera is orthographic) [Olano97]. So a value of the corners, weighted with
+/// them, over that sum is interpolated rightly in perspective.
+struct CornerWeights {
+  double x0 = 0, y0 = 0;  // pixels; the planes start there
+  std::array<Plane, 3> corners{};
+
+  /// The plane of a value that the corners have.
+  Plane of(double a, double b, double c) const noexcept;
+};
+
+/// Of the whole triangle, whichever piece `drawn` is of it; the planes start at the piece's first
+/// corner. `affine`: linear in the picture, except where the triangle reaches behind the eye.
+CornerWeights corner_weights(const View& view, const FixedGrid& grid, const World& world,
+                             const DeviceTriangle& drawn, bool affine);
+
+/// The normals at the corners.
+std::array<Eigen::Vector3d, 3> corner_normals(const World& world, const WorldTriangle& triangle);
+
+/// What shading needs of a triangle at each sample.
+struct SurfacePlanes {
+  double x0 = 0, y0 = 0;
+  Plane nearness;    // 1/w, or where orthographic the distance along the view axis
+  Plane nx, ny, nz;  // of the normal, of any length
+};
+
+SurfacePlanes surface_planes(const View& view, const FixedGrid& grid, const World& world,
+                             const DeviceTriangle& drawn, bool affine);
+
+}  // namespace tristim::detail
