@@ -1,12 +1,16 @@
 #include "lib/frame/io/png_stripe.h"
 
+#include <libdeflate.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cassert>
-#include <cstdlib>
 #include <limits>
+#include <memory>
 #include <new>
+
+#include "lib/frame/io/paeth.h"
+#include "lib/frame/io/run_length_deflate.h"
 
 namespace tristim::detail {
 namespace {
@@ -16,33 +20,15 @@ constexpr int kMemoryLevel = 9;
 constexpr std::size_t kTrialBytes = std::size_t{64} << 10;  // twice deflate's window
 
 enum Filter : std::uint8_t { kNone = 0, kPaeth = 4 };  // [PNG3] table 6: the byte before a row
+enum class Matches { kRuns, kFiltered, kAll };
 
 struct Recipe {
   Filter filter;
-  int strategy;
+  Matches matches;
 };
 
-constexpr Recipe kPlain{kNone, Z_DEFAULT_STRATEGY};
-constexpr Recipe kRecipes[] = {{kPaeth, Z_RLE}, {kPaeth, Z_FILTERED}, kPlain};
-
-std::uint8_t paeth(int left, int above, int above_left) noexcept {  // [PNG3] 9.4
-  const int to_left = std::abs(above - above_left);
-  const int to_above = std::abs(left - above_left);
-  const int to_above_left = std::abs(left + above - 2 * above_left);
-  const int near = to_left <= to_above ? left : above;
-  const int predicted = std::min(to_left, to_above) <= to_above_left ? near : above_left;
-  return static_cast<std::uint8_t>(predicted);
-}
-
-void filter_paeth(std::span<const std::uint8_t> row, std::span<const std::uint8_t> above,
-                  std::size_t pixel_bytes, std::uint8_t* out) noexcept {
-  const std::size_t first = std::min(pixel_bytes, row.size());
-  for (std::size_t i = 0; i < first; ++i) out[i] = static_cast<std::uint8_t>(row[i] - above[i]);
-  for (std::size_t i = first; i < row.size(); ++i) {
-    const std::uint8_t predicted = paeth(row[i - pixel_bytes], above[i], above[i - pixel_bytes]);
-    out[i] = static_cast<std::uint8_t>(row[i] - predicted);
-  }
-}
+constexpr Recipe kPlain{kNone, Matches::kAll};
+constexpr Recipe kRecipes[] = {{kPaeth, Matches::kRuns}, {kPaeth, Matches::kFiltered}, kPlain};
 
 /// The rows `first` to `end` of the stripe, each behind the byte that names its filter.
 std::vector<std::uint8_t> filtered(const PngStripe& stripe, Filter filter, std::size_t first,
@@ -99,6 +85,19 @@ std::vector<std::uint8_t> deflated(std::vector<std::uint8_t>& bytes, int level, 
   return result;
 }
 
+/// The size of these bytes with a recipe, or nearly.
+std::size_t trial_size(const std::vector<std::uint8_t>& bytes, Matches matches) {
+  if (matches == Matches::kRuns) return run_length_deflated(bytes, true).size();
+  struct Free {
+    void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
+  };
+  const std::unique_ptr<libdeflate_compressor, Free> quick(libdeflate_alloc_compressor(1));
+  if (!quick) throw std::bad_alloc();
+  std::vector<std::uint8_t> out(libdeflate_deflate_compress_bound(quick.get(), bytes.size()));
+  return libdeflate_deflate_compress(quick.get(), bytes.data(), bytes.size(), out.data(),
+                                     out.size());
+}
+
 /// The recipe that makes the least of some rows in the middle of the stripe.
 Recipe best_recipe(const PngStripe& stripe) {
   const std::size_t rows = stripe.rows.size() / stripe.above.size();
@@ -108,8 +107,8 @@ Recipe best_recipe(const PngStripe& stripe) {
   Recipe best = kPlain;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const Recipe& recipe : kRecipes) {
-    std::vector<std::uint8_t> bytes = filtered(stripe, recipe.filter, first, first + trial_rows);
-    const std::size_t size = deflated(bytes, 1, recipe.strategy, true).size();
+    const std::size_t size =
+        trial_size(filtered(stripe, recipe.filter, first, first + trial_rows), recipe.matches);
     if (size < least) {
       least = size;
       best = recipe;
@@ -125,10 +124,15 @@ CompressedStripe compress_stripe(const PngStripe& stripe, int level, bool last) 
   const std::size_t rows = stripe.rows.size() / stripe.above.size();
   std::vector<std::uint8_t> bytes = filtered(stripe, recipe.filter, 0, rows);
   CompressedStripe result;
-  result.adler = static_cast<std::uint32_t>(adler32_z(1, bytes.data(), bytes.size()));
+  result.adler = libdeflate_adler32(1, bytes.data(), bytes.size());
   result.filtered_bytes = bytes.size();
   result.last = last;
-  result.deflated = deflated(bytes, level, recipe.strategy, last);
+  if (recipe.matches == Matches::kRuns) {
+    result.deflated = run_length_deflated(bytes, last);
+  } else {
+    const bool of_filter = recipe.matches == Matches::kFiltered;
+    result.deflated = deflated(bytes, level, of_filter ? Z_FILTERED : Z_DEFAULT_STRATEGY, last);
+  }
   return result;
 }
 
