@@ -84,6 +84,11 @@ LevelReducer::LevelReducer(const Display& display, const ReduceOptions& options,
     const ThresholdMatrix* matrix = matrices.empty() ? nullptr : &matrices[channel];
     channels_.push_back(channel_reducer(scales_.back(), options, matrix, c, width));
   }
+  alike_ = std::ranges::all_of(channels_, [this](const ChannelReducer& channel) {
+    const auto* first = std::get_if<NearestLevel>(&channels_.front());
+    const auto* nearest = std::get_if<NearestLevel>(&channel);
+    return first != nullptr && nearest != nullptr && *nearest == *first;
+  });
 }
 
 // The luminances of a row, in its first third; what dots gain is taken off.
@@ -105,6 +110,11 @@ void LevelReducer::reduce_rgb_row(std::span<float> rgb, int y, std::span<std::ui
     const OrderedDither* dithers[3];
     for (std::size_t c = 0; c < 3; ++c) dithers[c] = &std::get<OrderedDither>(channels_[c]);
     return OrderedDither::rgb_row(dithers, rgb, y, out, strength);
+  }
+  if (alike_) {
+    const auto samples = static_cast<int>(rgb.size());
+    return std::get<NearestLevel>(channels_[0])
+        .row({rgb.data(), samples, 1}, {out.data(), samples, 1});
   }
   const auto width = static_cast<int>(rgb.size() / 3);
   for (std::size_t c = 0; c < 3; ++c) {

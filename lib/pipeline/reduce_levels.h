@@ -32,6 +32,7 @@ class LevelReducer {
   const ReduceOptions* options_;
   std::vector<LevelScale> scales_;
   std::vector<ChannelReducer> channels_;
+  bool alike_ = false;  // all channels take the nearest of the same levels
   Eigen::RowVector3f luminance_;
   ToneBeforeGain tone_before_gain_;
 };

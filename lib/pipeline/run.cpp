@@ -19,12 +19,6 @@ struct Work {
   StageCounts counts;
 };
 
-Image copy_of(ImageView<const float> view) {
-  Image copy(view.width, view.height, view.channels);
-  for (int y = 0; y < view.height; ++y) std::ranges::copy(view.row(y), copy.view().row(y).begin());
-  return copy;
-}
-
 // The next rows of a mask: its first channel, clipped to [0, 1].
 Image read_mask(RowSource& mask, int rows) {
   const PictureInfo& info = mask.info();
@@ -40,9 +34,27 @@ Image read_mask(RowSource& mask, int rows) {
   return strength;
 }
 
-void keep_wanted(Work& work, std::span<BandObserver* const> observers, int stages_done) {
+// Copies a row for the observers that want it after so many stages.
+void keep_wanted(Work& work, std::span<BandObserver* const> observers, int stages_done, int row) {
   for (std::size_t i = 0; i < observers.size(); ++i) {
-    if (observers[i]->light_after() == stages_done) work.wanted[i] = copy_of(work.light.view());
+    if (observers[i]->light_after() != stages_done) continue;
+    const ImageView<float> light = work.light.view();
+    if (row == 0) work.wanted[i] = Image(light.width, light.height, light.channels);
+    std::ranges::copy(light.row(row), work.wanted[i].view().row(row).begin());
+  }
+}
+
+// All stages of a row while it is in the nearest cache: what one of them does to a row does not
+// depend on the others.
+void apply_stages(std::span<const Stage> stages, Work& work,
+                  std::span<BandObserver* const> observers) {
+  const ImageView<float> light = work.light.view();
+  for (int row = 0; row < light.height; ++row) {
+    keep_wanted(work, observers, 0, row);
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      apply(stages[i], {light.rows(row, 1), work.y0 + row, {}}, work.counts);
+      keep_wanted(work, observers, static_cast<int>(i) + 1, row);
+    }
   }
 }
 
@@ -87,11 +99,7 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
   };
   steps.work = [&](void* item) {
     Work& work = *static_cast<Work*>(item);
-    keep_wanted(work, observers, 0);
-    for (std::size_t i = 0; i < stages.size(); ++i) {
-      apply(stages[i], {work.light.view(), work.y0, {}}, work.counts);
-      keep_wanted(work, observers, static_cast<int>(i) + 1);
-    }
+    apply_stages(stages, work, observers);
     if (!reducer.in_order()) reduce(work);
   };
   steps.settle = [&](void* item) {

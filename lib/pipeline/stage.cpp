@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/core/math.h"
+#include "lib/pipeline/stage_rows.h"
 #include "tristim/core/text.h"
 
 namespace tristim {
@@ -41,36 +42,40 @@ void apply_stage(const ConvertPrimaries& stage, Band band, StageCounts&) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) m[i][j] = static_cast<float>(stage.matrix(i, j));
   }
-  each_pixel(band, [&m](float* p) {
-    const float r = p[0];
-    const float g = p[1];
-    const float b = p[2];
-    for (int i = 0; i < 3; ++i) p[i] = m[i][0] * r + m[i][1] * g + m[i][2] * b;
-  });
+  for (int y = 0; y < band.view.height; ++y) {
+    detail::stage_kernels().multiply(m, band.view.row(y).data(),
+                                     static_cast<std::size_t>(band.view.width));
+  }
+}
+
+// A pixel outside of [0, 1], or any where the method moves those inside as well.
+void map_pixels(const GamutMap& stage, std::span<float> row, StageCounts& counts) {
+  const GamutSpace space = gamut_space(stage.srgb_from_device);
+  for (std::size_t i = 0; i + 2 < row.size(); i += 3) {
+    float* p = &row[i];
+    const bool below = std::min({p[0], p[1], p[2]}) < 0;
+    const bool above = std::max({p[0], p[1], p[2]}) > 1;
+    counts.out_of_gamut += below ? 1 : 0;
+    counts.clipped += above ? 1 : 0;
+    if (!below && !above && stage.method.keeps_inside) continue;
+    const Rgb mapped = stage.method.map({p[0], p[1], p[2]}, space);
+    p[0] = static_cast<float>(mapped.r);
+    p[1] = static_cast<float>(mapped.g);
+    p[2] = static_cast<float>(mapped.b);
+  }
 }
 
 void apply_stage(const GamutMap& stage, Band band, StageCounts& counts) {
-  const GamutSpace space = gamut_space(stage.srgb_from_device);
-  std::uint64_t out_of_gamut = 0;
-  std::uint64_t clipped = 0;
-  const bool clip = stage.method.map == gamut_clip;  // what follows does it anyway
-  each_pixel(band, [&](float* p) {
-    // Written so that the rows of an ordinary picture, all inside, stay a loop without jumps.
-    const bool below = std::min({p[0], p[1], p[2]}) < 0;
-    const bool above = std::max({p[0], p[1], p[2]}) > 1;
-    out_of_gamut += below ? 1 : 0;
-    clipped += above ? 1 : 0;
-    if (!clip && (below || above || !stage.method.keeps_inside)) {
-      const Rgb mapped = stage.method.map({p[0], p[1], p[2]}, space);
-      p[0] = static_cast<float>(mapped.r);
-      p[1] = static_cast<float>(mapped.g);
-      p[2] = static_cast<float>(mapped.b);
-    }
-    // In this order NaN, which an overflow before may have left, becomes 0.
-    for (int c = 0; c < 3; ++c) p[c] = std::min(std::max(0.0F, p[c]), 1.0F);
-  });
-  counts.out_of_gamut += out_of_gamut;
-  counts.clipped += clipped;
+  const bool clip = stage.method.map == gamut_clip;
+  for (int y = 0; y < band.view.height; ++y) {
+    const std::span<float> row = band.view.row(y);
+    if (!clip) map_pixels(stage, row, counts);
+    const StageCounts clipped =
+        detail::stage_kernels().clip(row.data(), static_cast<std::size_t>(band.view.width));
+    if (!clip) continue;  // the method has counted them
+    counts.out_of_gamut += clipped.out_of_gamut;
+    counts.clipped += clipped.clipped;
+  }
 }
 
 std::string row_text(const Eigen::Matrix3d& m, int row) {

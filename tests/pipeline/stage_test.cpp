@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "lib/pipeline/stage_rows.h"
 #include "tristim/color/oklab.h"
 #include "tristim/core/find.h"
 
@@ -169,6 +170,33 @@ TEST(Explain, NamesEveryStageWithItsNumbers) {
   for (const GamutMethod& method : kGamutMethods) {
     EXPECT_EQ(explain(GamutMap{method}).name, "gamut map " + std::string(method.name));
   }
+}
+
+TEST(StageKernels, AreTheDefinitionInEveryInstructionSet) {
+  const float odd[] = {-kInfinity, -1e-9F, -0.0F, 0, 1e-40F, 0.5F, 1, 1.0000001F, 65504, kInfinity};
+  const float m[3][3] = {{1.2F, -0.3F, 0.1F}, {0.01F, 0.9F, 0.09F}, {-0.5F, 0.2F, 1.3F}};
+  const detail::StageKernels& scalar = detail::scalar_stage_kernels();
+  for (const std::size_t pixels : {1U, 4U, 7U, 16U, 33U, 100U}) {
+    std::vector<float> row(3 * pixels);
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = odd[i * 7 % std::size(odd)];
+    std::vector<float> clipped = row;
+    const StageCounts counts = scalar.clip(clipped.data(), pixels);
+    std::vector<float> multiplied = clipped;
+    scalar.multiply(m, multiplied.data(), pixels);
+    for (const detail::StageKernels& simd : detail::simd_stage_kernels()) {
+      std::vector<float> actual = row;
+      EXPECT_EQ(simd.clip(actual.data(), pixels), counts) << simd.name;
+      EXPECT_EQ(actual, clipped) << simd.name;
+      simd.multiply(m, actual.data(), pixels);
+      EXPECT_EQ(actual, multiplied) << simd.name;
+    }
+  }
+}
+
+TEST(StageKernels, ClipMakesNanZero) {
+  std::vector<float> row(3 * 40, std::nanf(""));
+  detail::stage_kernels().clip(row.data(), 40);
+  EXPECT_EQ(row, std::vector<float>(3 * 40));
 }
 
 }  // namespace

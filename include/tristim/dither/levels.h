@@ -15,7 +15,8 @@ namespace tristim {
 
 namespace detail {
 struct LevelTable;
-}
+struct StepTable;
+}  // namespace detail
 
 /// One channel of a row inside interleaved samples.
 template <typename T>
@@ -34,9 +35,13 @@ class NearestLevel {
 
   void row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out) const noexcept;
 
+  /// Whether both choose the same codes.
+  bool operator==(const NearestLevel& other) const noexcept;
+
  private:
   LevelSearch search_;
   std::vector<std::uint16_t> code_;
+  std::shared_ptr<const detail::StepTable> table_;  // where one look-up tells the code
 };
 
 /// Levels among which a channel is mixed: their light, strictly ascending, and their codes. At
