@@ -1,8 +1,9 @@
 #include "tristim/image/flatten.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -12,10 +13,21 @@ namespace {
 constexpr float kLargestHalf = 65504;
 constexpr int kBatch = 16;  // rows read at a time, so that a codec delivers whole chunks
 
+// Whether there is NaN or an infinity: their exponents are all ones. A loop without jumps.
+bool has_odd_value(std::span<const float> row) noexcept {
+  constexpr std::int32_t kMagnitude = 0x7fffffff;
+  constexpr std::int32_t kInfinity = 0x7f800000;
+  std::int32_t most = 0;
+  for (const float sample : row) {
+    most = std::max(most, std::bit_cast<std::int32_t>(sample) & kMagnitude);
+  }
+  return most >= kInfinity;
+}
+
 void replace_odd_values(std::span<float> row, OddValues& counts) noexcept {
+  if (!has_odd_value(row)) return;
   for (float& sample : row) {
-    if (std::abs(sample) <= std::numeric_limits<float>::max()) [[likely]]
-      continue;
+    if (std::isfinite(sample)) continue;
     if (std::isnan(sample)) {
       ++counts.nan;
       sample = 0;

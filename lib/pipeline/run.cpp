@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "lib/core/ordered_pipeline.h"
@@ -11,12 +12,43 @@ namespace {
 
 // A band on its way: its light, its codes, and the light that observers asked for.
 struct Work {
-  int y0;
   Image light;
-  Image dither_mask;  // 1 channel; empty without one
   Raster<std::uint16_t> codes;
+  int y0 = 0;
+  int rows = 0;               // of those that there is room for
+  Image dither_mask;          // 1 channel; empty without one
   std::vector<Image> wanted;  // by observer; empty images where none is wanted
   StageCounts counts;
+
+  ImageView<float> light_view() noexcept { return light.view().rows(0, rows); }
+  ImageView<std::uint16_t> codes_view() noexcept { return codes.view().rows(0, rows); }
+};
+
+// Bands that have been written are used again: fresh memory costs more than what is done to it.
+class WorkPool {
+ public:
+  WorkPool(int width, int rows, int samples) : width_(width), rows_(rows), samples_(samples) {}
+
+  std::unique_ptr<Work> take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) {
+      return std::make_unique<Work>(
+          Work{Image(width_, rows_, 3), Raster<std::uint16_t>(width_, rows_, samples_)});
+    }
+    std::unique_ptr<Work> work = std::move(idle_.back());
+    idle_.pop_back();
+    return work;
+  }
+
+  void give_back(std::unique_ptr<Work> work) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(work));
+  }
+
+ private:
+  const int width_, rows_, samples_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Work>> idle_;
 };
 
 // The next rows of a mask: its first channel, clipped to [0, 1].
@@ -38,7 +70,7 @@ Image read_mask(RowSource& mask, int rows) {
 void keep_wanted(Work& work, std::span<BandObserver* const> observers, int stages_done, int row) {
   for (std::size_t i = 0; i < observers.size(); ++i) {
     if (observers[i]->light_after() != stages_done) continue;
-    const ImageView<float> light = work.light.view();
+    const ImageView<float> light = work.light_view();
     if (row == 0) work.wanted[i] = Image(light.width, light.height, light.channels);
     std::ranges::copy(light.row(row), work.wanted[i].view().row(row).begin());
   }
@@ -48,7 +80,7 @@ void keep_wanted(Work& work, std::span<BandObserver* const> observers, int stage
 // depend on the others.
 void apply_stages(std::span<const Stage> stages, Work& work,
                   std::span<BandObserver* const> observers) {
-  const ImageView<float> light = work.light.view();
+  const ImageView<float> light = work.light_view();
   for (int row = 0; row < light.height; ++row) {
     keep_wanted(work, observers, 0, row);
     for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -79,23 +111,22 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
   int next = 0;
   StageCounts total;
 
+  WorkPool pool(info.width, std::min(rows, info.height), reducer.samples());
   detail::OrderedSteps steps;
   steps.produce = [&]() -> void* {
     if (next == info.height) return nullptr;
-    const int count = std::min(rows, info.height - next);
-    auto work = std::make_unique<Work>(
-        Work{next,
-             Image(info.width, count, 3),
-             options.dither_mask ? read_mask(*options.dither_mask, count) : Image{},
-             Raster<std::uint16_t>(info.width, count, reducer.samples()),
-             std::vector<Image>(observers.size()),
-             {}});
-    source.read(work->light.view());
-    next += count;
+    std::unique_ptr<Work> work = pool.take();
+    work->y0 = next;
+    work->rows = std::min(rows, info.height - next);
+    work->counts = {};
+    work->wanted = std::vector<Image>(observers.size());
+    if (options.dither_mask) work->dither_mask = read_mask(*options.dither_mask, work->rows);
+    source.read(work->light_view());
+    next += work->rows;
     return work.release();
   };
   const auto reduce = [&](Work& work) {
-    reducer.reduce({work.light.view(), work.y0, work.dither_mask.view()}, work.codes.view());
+    reducer.reduce({work.light_view(), work.y0, work.dither_mask.view()}, work.codes_view());
   };
   steps.work = [&](void* item) {
     Work& work = *static_cast<Work*>(item);
@@ -107,7 +138,7 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
   };
   steps.consume = [&](void* item) {
     Work& work = *static_cast<Work*>(item);
-    const ImageView<const std::uint16_t> codes = work.codes.view();
+    const ImageView<const std::uint16_t> codes = work.codes_view();
     for (std::size_t i = 0; i < observers.size(); ++i) {
       observers[i]->seen(work.wanted[i].view(), codes);
     }
@@ -115,7 +146,9 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
     total.out_of_gamut += work.counts.out_of_gamut;
     total.clipped += work.counts.clipped;
   };
-  steps.discard = [](void* item) { delete static_cast<Work*>(item); };
+  steps.discard = [&](void* item) {
+    pool.give_back(std::unique_ptr<Work>(static_cast<Work*>(item)));
+  };
   detail::run_ordered(steps, options.threads);
   return total;
 }

@@ -48,7 +48,7 @@ void FileSink::check_codes(std::span<const std::uint16_t> codes) const {
   if (!info_.palette.empty()) limit[0] = static_cast<unsigned>(info_.palette.size() - 1);
 
   std::array<std::uint16_t, 3> highest{};
-  if (packing.samples == 1) {
+  if (packing.samples == 1 || (limit[0] == limit[1] && limit[1] == limit[2])) {
     for (const std::uint16_t code : codes) highest[0] = std::max(highest[0], code);
   } else {
     for (std::size_t i = 0; i + 2 < codes.size(); i += 3) {
