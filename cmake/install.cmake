@@ -2,7 +2,7 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS tristim tristim_io EXPORT tristim LIBRARY FILE_SET HEADERS)
 install(TARGETS tristim_command)
-install(TARGETS tristim_oiio tristim_openexr LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/tristim")
+install(TARGETS tristim_oiio tristim_openexr tristim_ocio LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/tristim")
 install(DIRECTORY luts DESTINATION "${CMAKE_INSTALL_DATADIR}/tristim")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 

@@ -34,8 +34,7 @@ void* load_function(const Module& module) {
   void* const loaded =
       dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);  // never closed: it stays loaded
   if (loaded == nullptr) {
-    throw Error(ErrorKind::kSystem, path, "cannot be loaded: " + last_error(),
-                "install tristim completely, or convert the picture to a plain EXR or PNG");
+    throw Error(ErrorKind::kSystem, path, "cannot be loaded: " + last_error(), module.remedy);
   }
   void* const function = dlsym(loaded, module.function);
   if (function == nullptr) {

@@ -15,6 +15,7 @@ namespace tristim::detail {
 struct Module {
   const char* file;
   const char* function;  // the one that it exports, extern "C"
+  const char* remedy = "install tristim completely, or convert the picture to a plain EXR or PNG";
 };
 
 /// A function that opens `path`, of a format that OpenImageIO calls `format`. `name` is for
