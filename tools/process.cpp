@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 
 #include "tools/commands.h"
 #include "tools/outputs.h"
@@ -23,7 +24,8 @@ constexpr std::string_view kExamples =
     "s.tif\n"
     "  tristim process spheres.exr --device vga16 --tone-map reinhard:8 --explain -o vga.h\n"
     "  tristim process spheres.exr --device srgb --palette best:16 -o spheres.gif\n"
-    "  tristim process *.exr --device srgb --exposure -1 -o '{stem}-%04d.png'\n";
+    "  tristim process *.exr --device srgb --exposure -1 -o '{stem}-%04d.png'\n"
+    "  tristim process *.exr --device srgb --exposure -1 -o '{stem}-%04d.png' --resume\n";
 
 std::string extensions() {
   std::string all;
@@ -58,6 +60,8 @@ void declare(CommandLine& line, ProcessOptions& options, std::string& pipeline) 
   line.flag("--explain", "print every step with its numbers, formula and source", options.explain);
   line.flag("--json", "print the facts as JSON, a line a picture", options.json);
   line.flag("-f,--force", "replace existing files", options.force);
+  line.flag("--resume", "leave out pictures whose results are there: files are whole or absent",
+            options.resume);
   line.option("--pipeline", "P.toml", "settings from a file; options override it", pipeline);
 }
 
@@ -95,6 +99,10 @@ void read_own_matrix(Settings& settings) {
 }
 
 void check(const ProcessOptions& options) {
+  if (options.resume && options.force) {
+    throw Error(ErrorKind::kMisuse, "--resume", "keeps the files that --force replaces",
+                "give one of them");
+  }
   if (options.output.empty()) {
     throw Error(ErrorKind::kMisuse, "--output", "is missing",
                 "give -o result.png, or another name");
@@ -123,6 +131,29 @@ bool is_animation(const ProcessOptions& options) {
          output.find("{stem}") == std::string::npos && output.find('%') == std::string::npos;
 }
 
+// The files that a job writes.
+std::vector<std::string> files_of(const ProcessOptions& options, const Display& device,
+                                  const Job& job) {
+  std::vector<std::string> files = output_files(options, device, job.output);
+  if (!job.proof.empty()) files.push_back(job.proof);
+  return files;
+}
+
+// Files come into being when they are whole, so what is there needs no second look.
+void leave_out_done(const ProcessOptions& options, const Display& device, std::vector<Job>& jobs) {
+  const auto done = [&](const Job& job) {
+    std::error_code ignored;
+    return std::ranges::all_of(files_of(options, device, job), [&](const std::string& file) {
+      return std::filesystem::is_regular_file(file, ignored);
+    });
+  };
+  const std::size_t left_out = std::erase_if(jobs, done);
+  if (left_out == 0) return;
+  note("--resume: note: " + std::to_string(left_out) +
+       (left_out == 1 ? " picture is" : " pictures are") + " there already, " +
+       std::to_string(jobs.size()) + " to do");
+}
+
 std::vector<Job> jobs_of(const ProcessOptions& options, const Display& device,
                          const std::string& pipeline) {
   refuse_missing_inputs(options.inputs);
@@ -137,23 +168,21 @@ std::vector<Job> jobs_of(const ProcessOptions& options, const Display& device,
     job.output = outputs[i];
     jobs.push_back(std::move(job));
   }
-  outputs.clear();
-  for (const Job& job : jobs) {
-    for (std::string& file : output_files(options, device, job.output)) {
-      outputs.push_back(std::move(file));
-    }
-  }
   if (!options.proof.empty()) {
     const std::vector<std::string> proofs = output_names(options.proof, options.inputs, "--proof");
     for (std::size_t i = 0; i < proofs.size(); ++i) jobs[i].proof = proofs[i];
     check_proofs(jobs);
-    outputs.insert(outputs.end(), proofs.begin(), proofs.end());
+  }
+  if (options.resume) leave_out_done(options, device, jobs);
+  outputs.clear();
+  for (const Job& job : jobs) {
+    for (std::string& file : files_of(options, device, job)) outputs.push_back(std::move(file));
   }
   std::vector<std::string> read = options.inputs;
   read.push_back(options.device);
   read.push_back(pipeline);
   refuse_inputs_as_outputs(read, outputs);
-  refuse_taken_outputs(outputs, options.force);
+  refuse_taken_outputs(outputs, options.force || options.resume);
   for (const Job& job : jobs) check_format(options, job.output);
   return jobs;
 }
@@ -181,6 +210,8 @@ void run_process(Arguments arguments) {
   }
   const Display device = load_display(options.device);
   std::vector<Job> jobs = jobs_of(options, device, pipeline);
+  if (jobs.empty()) return;
+  if (options.resume) options.force = true;  // a picture that lacks one of its files is made anew
   if (is_animation(options)) return process_animation(options, device, jobs);
   for (Job& job : jobs) process_picture(options, device, std::move(job));
 }

@@ -19,6 +19,7 @@ struct ProcessOptions {
   int png_level = 6;
   double delay_s = 0.1;  // of each picture that moves
   bool explain = false, json = false, force = false;
+  bool resume = false;  // leave out pictures whose files are there already
 };
 
 /// One picture on its way: what is known before its rows, and what was counted with them.

@@ -70,6 +70,24 @@ TEST_F(ProcessOutput, FindsATakenNameBeforeTheFirstOfSeveralIsWritten) {
           "2.png: exists already; give --force to replace it");
 }
 
+TEST_F(ProcessOutput, ResumesAfterThePicturesThatAreThere) {
+  const std::string job = "process s.exr s.exr s.exr -d srgb -o %d.png --proof proof%d.png";
+  good(job);
+  const std::string whole = read("2.png");
+  std::filesystem::remove(file("2.png"));  // its proof is left: the run was killed between the two
+  write("1.png", "mine");
+  const CommandResult result = run(job + " --resume");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err.rfind("tristim: --resume: note: 2 pictures are there already, 1 to do\n", 0),
+            0U)
+      << result.err;
+  EXPECT_EQ(read("2.png"), whole);
+  EXPECT_EQ(read("1.png"), "mine");
+  EXPECT_EQ(run(job + " --resume --quiet").err, "");
+  refuses(job + " --resume --force", 2,
+          "--resume: keeps the files that --force replaces; give one of them");
+}
+
 TEST_F(ProcessOutput, NeverReplacesAnInput) {
   std::filesystem::create_symlink("s.exr", file("link.exr"));
   std::filesystem::create_hard_link(file("s.exr"), file("hard.exr"));
