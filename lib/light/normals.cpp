@@ -4,19 +4,12 @@
 #include <string>
 
 #include "lib/light/angle.h"
+#include "lib/light/corner.h"
 #include "lib/light/precise.h"
 
 namespace tristim {
 
 namespace detail {
-
-/// A face as it is seen from one of its vertices.
-struct Corner {
-  const PolygonMesh& mesh;
-  std::size_t face;                          // its number
-  std::span<const Eigen::Vector3d> polygon;  // its vertices
-  std::size_t at;                            // which of them
-};
 
 namespace {
 
@@ -49,9 +42,7 @@ PreciseVector angle_share(const Corner& corner) noexcept {
   return angle_between(next - here, last - here) * uniform_share(corner);
 }
 
-PreciseVector plane_share(const Corner& corner) noexcept {
-  return precise(corner.mesh.planes[corner.face]);
-}
+PreciseVector plane_share(const Corner& corner) noexcept { return precise(*corner.plane); }
 
 }  // namespace detail
 
@@ -108,9 +99,10 @@ std::vector<Vector3d> vertex_normals(const PolygonMesh& mesh, const NormalWeight
   std::vector<detail::PreciseVector> sums(mesh.vertices.size());
   for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
     const std::vector<Vector3d> polygon = polygon_of(mesh, face);
+    const Vector3d* plane = mesh.planes.empty() ? nullptr : &mesh.planes[face];
     for (std::size_t at = 0; at < polygon.size(); ++at) {
       detail::PreciseVector& sum = sums[mesh.faces[face][at]];
-      sum = sum + weighting.share({mesh, face, polygon, at});
+      sum = sum + weighting.share({polygon, at, plane});
     }
   }
   std::vector<Vector3d> normals;
