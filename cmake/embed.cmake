@@ -1,19 +1,20 @@
-# Writes `path`, a source file that holds the text of every luts/devices/*.toml, and sets `result` to it.
-# It happens when CMake configures, which a changed, new or deleted device file sets off.
-function(embed_devices result path)
-  file(GLOB devices CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/luts/devices/*.toml")
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${devices})
+# Writes `path`, a source file that holds the text of every TOML file of `directory` as the list `function`
+# (lib/core/embedded.h), and sets `result` to it. It happens when CMake configures, which a changed, new or
+# deleted file sets off.
+function(embed_files result directory function path)
+  file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${directory}/*.toml")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
   set(entries "")
-  foreach(device IN LISTS devices)
-    cmake_path(GET device STEM LAST_ONLY name)
-    file(READ "${device}" text)
+  foreach(file IN LISTS files)
+    cmake_path(GET file STEM LAST_ONLY name)
+    file(READ "${file}" text)
     string(FIND "${text}" ")tristim\"" end)
     if(NOT end EQUAL -1)
-      message(FATAL_ERROR "${device}: holds )tristim\", the end of the literal that embeds it")
+      message(FATAL_ERROR "${file}: holds )tristim\", the end of the literal that embeds it")
     endif()
     string(APPEND entries "    EmbeddedFile{\"${name}\", R\"tristim(${text})tristim\"},\n")
   endforeach()
-  list(LENGTH devices count)
-  configure_file("${PROJECT_SOURCE_DIR}/cmake/embedded_devices.cpp.in" "${path}" @ONLY)
+  list(LENGTH files count)
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/embedded_files.cpp.in" "${path}" @ONLY)
   set(${result} "${path}" PARENT_SCOPE)
 endfunction()

@@ -10,41 +10,18 @@
 #include "tristim/color/primaries.h"
 #include "tristim/core/find.h"
 #include "tristim/light/fresnel.h"
+#include "tristim/light/metals.h"
 
 namespace tristim::tools {
 namespace {
 
-struct MetalRow {
-  double lambda_nm, n, k;
-};
+const Metal& metal_named(std::string_view name) { return *find_by_name(metals(), name); }
 
-constexpr MetalRow kCopper[] = {
-#include "luts/copper_hagemann.csv"
-};
-constexpr MetalRow kGold[] = {
-#include "luts/gold_hagemann.csv"
-};
-using Metal = std::span<const MetalRow>;
-
-// Linear between the rows; the ends go on as they are.
-MetalRow at_wavelength(Metal metal, double lambda_nm) {
-  if (lambda_nm <= metal.front().lambda_nm) return metal.front();
-  for (std::size_t i = 1; i < metal.size(); ++i) {
-    const MetalRow& a = metal[i - 1];
-    const MetalRow& b = metal[i];
-    if (lambda_nm > b.lambda_nm) continue;
-    const double t = (lambda_nm - a.lambda_nm) / (b.lambda_nm - a.lambda_nm);
-    return {lambda_nm, a.n + t * (b.n - a.n), a.k + t * (b.k - a.k)};
-  }
-  return metal.back();
+double metal_reflectance(const Metal& metal, double lambda_nm, double angle_deg) {
+  return fresnel(conductor_at(metal, lambda_nm), cosine_deg(angle_deg));
 }
 
-double metal_reflectance(Metal metal, double lambda_nm, double angle_deg) {
-  const MetalRow index = at_wavelength(metal, lambda_nm);
-  return fresnel_conductor(cosine_deg(angle_deg), index.n, index.k);
-}
-
-Spectrum reflectance_spectrum(Metal metal, double angle_deg) {
+Spectrum reflectance_spectrum(const Metal& metal, double angle_deg) {
   Spectrum spectrum;
   for (int lambda = 380; lambda <= 780; lambda += 5) {
     spectrum.lambda_nm.push_back(lambda);
@@ -54,7 +31,7 @@ Spectrum reflectance_spectrum(Metal metal, double angle_deg) {
 }
 
 // The highlight under D65, as a display shows it.
-std::string highlight_color(Metal metal, double angle_deg) {
+std::string highlight_color(const Metal& metal, double angle_deg) {
   static const Spectrum daylight = illuminant_spectrum(*find_by_name(illuminants(), "d65"));
   const Xyz xyz = xyz_of_object(reflectance_spectrum(metal, angle_deg), daylight, observers()[0]);
   const Eigen::Vector3d rgb = rgb_from_xyz(Primaries{}) * Eigen::Vector3d(xyz.x, xyz.y, xyz.z);
@@ -104,12 +81,12 @@ void draw_metals(SvgDrawing& svg, SvgPoint corner, double width, double height) 
     double lambda_nm;
     SvgStroke stroke;
   };
-  const Curve curves[] = {{"gold, 620 nm", kGold, 619.9, {kOrange, 2}},
-                          {"gold, 517 nm", kGold, 516.6, {kGreen, 2}},
-                          {"gold, 443 nm", kGold, 442.8, {kBlue, 2}},
-                          {"copper, 620 nm", kCopper, 619.9, {kOrange, 1.6, "5 3"}},
-                          {"copper, 517 nm", kCopper, 516.6, {kGreen, 1.6, "5 3"}},
-                          {"copper, 443 nm", kCopper, 442.8, {kBlue, 1.6, "5 3"}}};
+  const Curve curves[] = {{"gold, 620 nm", metal_named("gold"), 619.9, {kOrange, 2}},
+                          {"gold, 517 nm", metal_named("gold"), 516.6, {kGreen, 2}},
+                          {"gold, 443 nm", metal_named("gold"), 442.8, {kBlue, 2}},
+                          {"copper, 620 nm", metal_named("copper"), 619.9, {kOrange, 1.6, "5 3"}},
+                          {"copper, 517 nm", metal_named("copper"), 516.6, {kGreen, 1.6, "5 3"}},
+                          {"copper, 443 nm", metal_named("copper"), 442.8, {kBlue, 1.6, "5 3"}}};
   std::vector<PlotKey> keys;
   for (const Curve& curve : curves) {
     axes.curve(curve_points(0, 90, 360,
@@ -124,7 +101,7 @@ void draw_metals(SvgDrawing& svg, SvgPoint corner, double width, double height) 
 }
 
 void draw_swatches(SvgDrawing& svg, SvgPoint corner, double width, std::string_view name,
-                   Metal metal) {
+                   const Metal& metal) {
   constexpr double kHeight = 46;
   std::vector<SvgStop> stops;
   for (int angle = 0; angle <= 90; angle += 3) {
@@ -165,15 +142,16 @@ std::string highlight_colors() {
     const SvgStroke stroke{kFamily[i + 1], 2};
     axes.curve(curve_points(380, 780, 200,
                             [&](double lambda) {
-                              return metal_reflectance(kCopper, lambda, kCurves[i].angle_deg);
+                              return metal_reflectance(metal_named("copper"), lambda,
+                                                       kCurves[i].angle_deg);
                             }),
                stroke);
     keys.push_back({.text = kCurves[i].name, .stroke = stroke});
   }
   axes.frame();
   axes.legend(keys, PlotCorner::kBottomRight);
-  draw_swatches(svg, {90, 392}, 480, "copper", kCopper);
-  draw_swatches(svg, {90, 452}, 480, "gold", kGold);
+  draw_swatches(svg, {90, 392}, 480, "copper", metal_named("copper"));
+  draw_swatches(svg, {90, 452}, 480, "gold", metal_named("gold"));
   for (int angle = 0; angle <= 90; angle += 15) {
     const double x = 90 + 480 * angle / 90.0;
     svg.line({x, 498}, {x, 503}, {kInk, 1});

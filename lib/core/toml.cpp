@@ -62,6 +62,16 @@ bool TomlTable::is_array(std::string_view key) const {
   return node != nullptr && node->is_array();
 }
 
+bool TomlTable::is_number(std::string_view key) const {
+  const toml::node* node = state_->node(key);
+  return node != nullptr && node->is_number();
+}
+
+bool TomlTable::is_string(std::string_view key) const {
+  const toml::node* node = state_->node(key);
+  return node != nullptr && node->is_string();
+}
+
 std::optional<std::string> TomlTable::string(std::string_view key) const {
   const toml::node* node = state_->node(key);
   if (node == nullptr) return std::nullopt;

@@ -21,6 +21,8 @@ class TomlTable {
 
   bool has(std::string_view key) const;
   bool is_array(std::string_view key) const;
+  bool is_number(std::string_view key) const;
+  bool is_string(std::string_view key) const;
   std::optional<std::string> string(std::string_view key) const;
   std::optional<double> number(std::string_view key) const;  // finite
   std::optional<std::int64_t> integer(std::string_view key) const;

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "lib/color/toml_color.h"
+#include "lib/core/embedded.h"
 #include "lib/core/toml.h"
-#include "lib/device/embedded.h"
 #include "lib/device/read_display.h"
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
