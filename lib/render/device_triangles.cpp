@@ -41,17 +41,25 @@ std::int64_t twice_area(const FixedPoint& a, const FixedPoint& b, const FixedPoi
   return difference(c.x, a.x) * difference(b.y, a.y) - difference(b.x, a.x) * difference(c.y, a.y);
 }
 
+// What the pieces of a triangle have of it.
+struct Source {
+  std::uint32_t triangle;
+  std::uint32_t material;
+  bool two_sided;
+};
+
 struct Corner {
   DevicePoint point;
   FixedPoint at;
 };
 
 void add_triangle(const View& view, const Corner& a, const Corner& b, const Corner& c,
-                  bool two_sided, std::uint32_t triangle, std::vector<DeviceTriangle>& out) {
+                  const Source& source, std::vector<DeviceTriangle>& out) {
   const std::int64_t area = twice_area(a.at, b.at, c.at);
-  if (area == 0 || (area < 0 && !two_sided)) return;
+  if (area == 0 || (area < 0 && !source.two_sided)) return;
   DeviceTriangle drawn;
-  drawn.triangle = triangle;
+  drawn.triangle = source.triangle;
+  drawn.material = source.material;
   drawn.back = area < 0;
   // Inside of the edges is on their left with y upwards, on their right with y downwards.
   drawn.at = {a.at, b.at, c.at};
@@ -92,11 +100,6 @@ Polygon clipped(const View& view, double guard, const Polygon& polygon, std::siz
   return left;
 }
 
-struct Source {
-  std::uint32_t triangle;
-  bool two_sided;
-};
-
 void add_clipped(const View& view, const FixedGrid& grid, Polygon polygon, std::uint32_t planes,
                  const Source& source, std::vector<DeviceTriangle>& out) {
   for (std::size_t plane = 0; plane < kPlanes; ++plane) {
@@ -106,7 +109,7 @@ void add_clipped(const View& view, const FixedGrid& grid, Polygon polygon, std::
     return Corner{polygon.at[i], fixed(grid, polygon.at[i])};
   };
   for (std::size_t i = 2; i < polygon.size; ++i) {
-    add_triangle(view, corner(0), corner(i - 1), corner(i), source.two_sided, source.triangle, out);
+    add_triangle(view, corner(0), corner(i - 1), corner(i), source, out);
   }
 }
 
@@ -142,13 +145,13 @@ void add_device_triangles(const View& view, const FixedGrid& grid, const World& 
     const DeviceVertex& c = vertices[triangle.position[2]];
     if ((a.outside & b.outside & c.outside) != 0) continue;
     const std::uint32_t planes = a.outside | b.outside | c.outside;
-    const bool two_sided = materials[triangle.material].two_sided;
+    const Source source{i, triangle.material, materials[triangle.material].two_sided};
     if (planes == 0) {
-      add_triangle(view, {a.point, a.at}, {b.point, b.at}, {c.point, c.at}, two_sided, i, out);
+      add_triangle(view, {a.point, a.at}, {b.point, b.at}, {c.point, c.at}, source, out);
     } else {
       Polygon polygon;
       for (const DeviceVertex* vertex : {&a, &b, &c}) polygon.add(vertex->point);
-      add_clipped(view, grid, polygon, planes, {i, two_sided}, out);
+      add_clipped(view, grid, polygon, planes, source, out);
     }
   }
 }

@@ -21,6 +21,7 @@ struct DeviceTriangle {
   std::array<FixedPoint, 3> at{};
   std::array<double, 3> nearness{};  // at the corners: 1/w, -distance where orthographic
   std::uint32_t triangle = 0;        // of the world
+  std::uint32_t material = 0;        // of the scene
   bool back = false;                 // seen from behind
 };
 

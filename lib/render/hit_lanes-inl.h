@@ -48,12 +48,12 @@ template <class L>
 HWY_INLINE void finish_at(const HitRays& rays, bool facing, HitRows& rows, std::size_t i) {
   using D = typename L::D;
   using F = typename L::F;
-  const D nx = L::load_double(rows.raw_x.data() + i);
-  const D ny = L::load_double(rows.raw_y.data() + i);
-  const D nz = L::load_double(rows.raw_z.data() + i);
+  const D nx = L::load_wide(rows.raw_x.data() + i);
+  const D ny = L::load_wide(rows.raw_y.data() + i);
+  const D nz = L::load_wide(rows.raw_z.data() + i);
   const D shrink = inverse_root<L>(nx * nx + (ny * ny + nz * nz));
   Vector<L> n{L::narrow(nx * shrink), L::narrow(ny * shrink), L::narrow(nz * shrink)};
-  const F nearness = L::narrow(L::load_double(rows.nearness.data() + i));
+  const F nearness = L::load(rows.nearness.data() + i);
   const F distance = rays.orthographic ? nearness : L::f(1) / nearness;
   const Vector<L> p = place_of<L>(rays, L::load(rows.sample_x.data() + i),
                                   L::load(rows.sample_y.data() + i), distance);
@@ -61,6 +61,7 @@ HWY_INLINE void finish_at(const HitRays& rays, bool facing, HitRows& rows, std::
     const F side = side_of<L>(rays, n, p);
     n = {n.x * side, n.y * side, n.z * side};
   }
+  L::store(distance, rows.distance.data() + i);
   L::store(p.x, rows.x.data() + i);
   L::store(p.y, rows.y.data() + i);
   L::store(p.z, rows.z.data() + i);

@@ -25,7 +25,7 @@ void set_axes(float (&out)[3], const Eigen::Vector3d& v) {
 
 }  // namespace
 
-void find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
+void find_runs_scalar(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
   runs.clear();
   const int width = plane.rect.width;
   for (int y = 0; y < plane.rect.height; ++y) {
@@ -34,7 +34,8 @@ void find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
     for (int x = 0; x < width;) {
       const int first = x;
       const std::uint32_t seen = id[x];
-      while (x < width && id[x] == seen) ++x;
+      const int end = first - first % kLongestRun + kLongestRun;
+      while (x < end && id[x] == seen) ++x;
       if (seen == kNothing) continue;
       runs.push_back(run_from(plane, row, first, y, seen));
       runs.back().length = static_cast<std::uint32_t>(x - first);
@@ -44,10 +45,10 @@ void find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
 
 void HitRows::resize(std::size_t most) {
   pixel.resize(most + kHitPadding);
-  for (auto* row : {&sample_x, &sample_y, &x, &y, &z, &nx, &ny, &nz}) {
+  for (auto* row : {&sample_x, &sample_y, &x, &y, &z, &nx, &ny, &nz, &distance, &nearness, &raw_x,
+                    &raw_y, &raw_z}) {
     row->resize(most + kHitPadding);
   }
-  for (auto* row : {&nearness, &raw_x, &raw_y, &raw_z}) row->resize(most + kHitPadding);
 }
 
 SurfaceRows HitRows::surface() const noexcept {
@@ -71,19 +72,25 @@ HitRays hit_rays(const View& view) noexcept {
 
 void add_run(const HitRun& run, const SurfacePlanes& planes, double shift_x, double shift_y,
              HitRows& rows) {
+  const double across = run.x + shift_x - planes.x0;
   const double down = run.y + shift_y - planes.y0;
+  const auto add = [&](const Plane& plane, std::vector<float>& row) {
+    const auto start = static_cast<float>(plane.at(across, down));
+    for (std::uint32_t i = 0; i < run.length; ++i) {
+      row[rows.size + i] = start + static_cast<float>(plane.dx) * static_cast<float>(i);
+    }
+  };
+  add(planes.nearness, rows.nearness);
+  add(planes.nx, rows.raw_x);
+  add(planes.ny, rows.raw_y);
+  add(planes.nz, rows.raw_z);
+  const auto x = static_cast<float>(run.x + shift_x);
   for (std::uint32_t i = 0; i < run.length; ++i) {
-    const double x = run.x + static_cast<double>(i) + shift_x;
-    const double across = x - planes.x0;
-    const std::size_t at = rows.size++;
-    rows.pixel[at] = run.pixel + i;
-    rows.sample_x[at] = static_cast<float>(x);
-    rows.sample_y[at] = static_cast<float>(run.y + shift_y);
-    rows.nearness[at] = planes.nearness.at(across, down);
-    rows.raw_x[at] = planes.nx.at(across, down);
-    rows.raw_y[at] = planes.ny.at(across, down);
-    rows.raw_z[at] = planes.nz.at(across, down);
+    rows.pixel[rows.size + i] = run.pixel + i;
+    rows.sample_x[rows.size + i] = x + static_cast<float>(i);
+    rows.sample_y[rows.size + i] = static_cast<float>(run.y + shift_y);
   }
+  rows.size += run.length;
 }
 
 void finish_hits(const HitRays& rays, bool facing, HitRows& rows) {

@@ -19,16 +19,20 @@ struct HitRun {
   std::uint32_t length = 0;
 };
 
+/// Runs are no longer: planes are in single precision from where a run starts.
+inline constexpr int kLongestRun = 16;
+
 /// The runs of a plane, row by row.
 void find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs);
 
 /// What samples see, a row for each coordinate. Places are relative to the eye.
 struct HitRows {
   std::size_t size = 0;
-  std::vector<std::uint32_t> pixel;                   // in the plane
-  std::vector<float> sample_x, sample_y;              // in the picture
-  std::vector<double> nearness, raw_x, raw_y, raw_z;  // as SurfacePlanes has them
+  std::vector<std::uint32_t> pixel;                  // in the plane
+  std::vector<float> sample_x, sample_y;             // in the picture
+  std::vector<float> nearness, raw_x, raw_y, raw_z;  // as SurfacePlanes has them
   std::vector<float> x, y, z, nx, ny, nz;
+  std::vector<float> distance;  // along the view axis
 
   void resize(std::size_t most);
   SurfaceRows surface() const noexcept;
@@ -46,6 +50,9 @@ struct HitRays {
 };
 
 HitRays hit_rays(const View& view) noexcept;
+
+/// The same one pixel after the other: what the fast version is tested against.
+void find_runs_scalar(const VisibilityPlane& plane, std::vector<HitRun>& runs);
 
 /// Appends the samples of a run at `shift_x`, `shift_y` in their pixels: pixel, sample_x, sample_y,
 /// nearness and raw normals. `planes` are those of the run's triangle.

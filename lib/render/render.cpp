@@ -44,17 +44,15 @@ std::vector<DeviceVertex> device_vertices(const View& view, const FixedGrid& gri
   return vertices;
 }
 
-std::vector<DeviceTriangle> device_triangles(const View& view, const FixedGrid& grid,
-                                             const PreparedScene& prepared, int threads) {
+std::vector<DeviceTriangle> device_triangles(const SeenWorld& seen, const Scene& scene,
+                                             int threads) {
   constexpr std::size_t kPart = 4096;
-  const World& world = prepared.world;
-  const std::vector<DeviceVertex> vertices = device_vertices(view, grid, world, threads);
-  const std::size_t size = world.triangles.size();
+  const std::size_t size = seen.world.triangles.size();
   std::vector<std::vector<DeviceTriangle>> parts((size + kPart - 1) / kPart);
   parallel_for_rows(static_cast<int>(parts.size()), threads, [&](int part) {
     const std::size_t first = static_cast<std::size_t>(part) * kPart;
     const std::size_t last = std::min(first + kPart, size);
-    add_device_triangles(view, grid, world, vertices, prepared.scene.materials,
+    add_device_triangles(seen.view, seen.grid, seen.world, seen.vertices, scene.materials,
                          static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
                          parts[static_cast<std::size_t>(part)]);
   });
@@ -77,36 +75,57 @@ bool asks_for(const RenderOptions& options, const RenderLayer& layer) {
                              [&](const RenderLayer& each) { return each.name == layer.name; });
 }
 
-Frame frame_of(const PreparedScene& prepared, const Camera& camera, const RenderOptions& options) {
-  check_options(options);
+DataPlan data_plan(const RenderOptions& options) {
+  const auto asked = [&](const RenderLayer& layer) { return asks_for(options, layer); };
+  return {.geometry = asked(kNormalLayer) || asked(kPositionLayer) || asked(kDepthLayer),
+          .id = asked(kIdLayer),
+          .uv = asked(kUvLayer),
+          .mach = asked(kMachLayer)};
+}
+
+SeenWorld seen_world(const PreparedScene& prepared, const Camera& camera, int threads) {
   const PictureSettings& picture = prepared.scene.picture;
   const View view = view_of(camera, picture.width, picture.height);
   const FixedGrid grid = fixed_grid(picture.width, picture.height);
-  const ColorPlan plan = color_plan(prepared.scene, options);
-  Frame frame{.scene = prepared.scene,
-              .world = prepared.world,
+  return {prepared.world, view, grid, device_vertices(view, grid, prepared.world, threads)};
+}
+
+Frame frame_of(const PreparedScene& prepared, const Camera& camera, const RenderOptions& options) {
+  check_options(options);
+  const Scene& scene = prepared.scene;
+  const PictureSettings& picture = scene.picture;
+  SeenWorld seen = seen_world(prepared, camera, options.threads);
+  const View view = seen.view;
+  const ColorPlan plan = color_plan(scene, options);
+  Frame frame{.scene = scene,
               .options = options,
-              .view = view,
-              .grid = grid,
-              .offsets = sample_offsets(picture.samples, grid.bits),
+              .seen = std::move(seen),
+              .offsets = {},
               .taps = {},
               .plan = plan,
-              .shader = SurfaceShader(prepared.scene, prepared.looks, view, plan),
-              .triangles = device_triangles(view, grid, prepared, options.threads)};
-  frame.taps = filter_taps(picture.filter, frame.offsets, grid.bits);
-  frame.margin = filter_margin(picture.filter) + (asks_for(options, kMachLayer) ? 1 : 0);
-  frame.has_transparent = std::ranges::any_of(prepared.scene.materials, [](const auto& material) {
+              .data = data_plan(options),
+              .layout = plane_layout(plan.channels),
+              .channels = {},
+              .keeps = {},
+              .shader = SurfaceShader(scene, prepared.looks, view, plan),
+              .triangles = {}};
+  frame.triangles = device_triangles(frame.seen, scene, options.threads);
+  frame.offsets = sample_offsets(picture.samples, frame.seen.grid.bits);
+  frame.taps = filter_taps(picture.filter, frame.offsets, frame.seen.grid.bits);
+  frame.channels = channel_planes(scene, options, plan, frame.layout);
+  frame.keeps.assign(static_cast<std::size_t>(frame.layout.count), 0);
+  for (const int plane : frame.channels) frame.keeps[static_cast<std::size_t>(plane)] = 1;
+  frame.margin = filter_margin(picture.filter) + (frame.data.mach ? 1 : 0);
+  frame.has_transparent = std::ranges::any_of(scene.materials, [](const auto& material) {
     return material.transparency != Transparency::kNone;
   });
-  frame.wants_data =
-      std::ranges::any_of(options.layers, [](const RenderLayer& layer) { return !layer.filtered; });
   return frame;
 }
 
 // Some rows of the picture, and the memory to draw them.
 struct Band {
   explicit Band(const Frame& frame, int channels)
-      : rows(frame.view.width, frame.options.tile, channels), tiles(frame) {}
+      : rows(frame.seen.view.width, frame.options.tile, channels), tiles(frame) {}
   int index = 0;
   Image rows;
   TileRenderer tiles;
@@ -118,10 +137,10 @@ class BandRenderer {
       : frame_(frame),
         channels_(channels),
         tile_(frame.options.tile),
-        count_((frame.view.height + tile_ - 1) / tile_),
+        count_((frame.seen.view.height + tile_ - 1) / tile_),
         lists_(StripLists::of(
             frame.triangles.size(), count_, tile_, frame.margin,
-            [&](std::size_t i) { return rows_of(frame.triangles[i], frame.grid.bits); })) {}
+            [&](std::size_t i) { return rows_of(frame.triangles[i], frame.seen.grid.bits); })) {}
 
   void run(RowSink& sink) {
     const auto band = [](void* item) -> Band& { return *static_cast<Band*>(item); };
@@ -156,17 +175,18 @@ class BandRenderer {
 
   ImageView<float> view(Band& band) const {
     const int y0 = band.index * tile_;
-    return band.rows.view().rows(0, std::min(tile_, frame_.view.height - y0));
+    return band.rows.view().rows(0, std::min(tile_, frame_.seen.view.height - y0));
   }
 
   void draw(Band& band) const {
     const ImageView<float> rows = view(band);
     const std::span<const std::uint32_t> list = lists_[band.index];
-    const int width = frame_.view.width;
+    const int width = frame_.seen.view.width;
     const int tiles = (width + tile_ - 1) / tile_;
-    const StripLists columns = StripLists::of(
-        list.size(), tiles, tile_, frame_.margin,
-        [&](std::size_t i) { return columns_of(frame_.triangles[list[i]], frame_.grid.bits); });
+    const StripLists columns =
+        StripLists::of(list.size(), tiles, tile_, frame_.margin, [&](std::size_t i) {
+          return columns_of(frame_.triangles[list[i]], frame_.seen.grid.bits);
+        });
     std::vector<std::uint32_t> in_tile;
     for (int t = 0; t < tiles; ++t) {
       in_tile.clear();

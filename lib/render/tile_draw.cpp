@@ -44,7 +44,7 @@ void VisibilityPlane::clear(const TileRect& to) {
   rect = to;
   const auto size = static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height);
   nearness.assign(size, kFarthest);
-  id.assign(size, kNothing);
+  id.assign(size + 1, kNothing);
 }
 
 void draw_triangles_scalar(std::span<const DeviceTriangle> triangles,

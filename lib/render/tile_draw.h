@@ -29,7 +29,7 @@ inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
 struct VisibilityPlane {
   TileRect rect;
   std::vector<float> nearness;
-  std::vector<std::uint32_t> id;  // a position in the list of triangles drawn
+  std::vector<std::uint32_t> id;  // a position in the list of triangles drawn; and one more
 
   void clear(const TileRect& to);
 };

@@ -1,210 +1,152 @@
 #include <algorithm>
-#include <cmath>
 
+#include "lib/render/interleave.h"
 #include "lib/render/tile_renderer.h"
 #include "tristim/color/primaries.h"
 
 namespace tristim::detail {
 namespace {
 
-using Eigen::Vector3d;
+// The number of lights as layers have it.
+int parts_of(const RenderLayer& layer, const Scene& scene) {
+  return layer.each_light ? static_cast<int>(scene.lights.size()) : 1;
+}
 
-// The places of a layer's pixels in the planes of the tile and in the rows of the picture.
-template <class Use>
-void for_pixels(const TileOutput& output, Use&& use) {
-  for (int y = 0; y < output.rows.height; ++y) {
-    const int row = (output.y0 + y - output.rect.y0) * output.rect.width;
-    for (int x = 0; x < output.width; ++x) {
-      use(row + (output.x0 + x - output.rect.x0), output.x0 + x, output.y0 + y,
-          output.rows.pixel(output.x0 + x, y));
-    }
+// The first plane of a layer, or -1 where its channels are not one behind the other.
+int first_plane(const RenderLayer& layer, const ColorPlan& plan, const PlaneLayout& layout) {
+  const struct {
+    const RenderLayer& layer;
+    int plane;
+  } planes[] = {{kAmbientLayer, plan.ambient},
+                {kDiffuseLayer, plan.diffuse},
+                {kSpecularLayer, plan.specular},
+                {kAlbedoLayer, plan.albedo},
+                {kBlinnMinusPhongLayer, plan.difference},
+                {kNormalLayer, layout.normal},
+                {kPositionLayer, layout.place},
+                {kDepthLayer, layout.distance},
+                {kIdLayer, layout.id},
+                {kUvLayer, layout.uv},
+                {kMachLayer, layout.mach},
+                {kBeautyLayer, plan.beauty}};
+  for (const auto& each : planes) {
+    if (each.layer.name == layer.name) return each.plane;
   }
-}
-
-template <class T>
-void copy_plane(const TileOutput& output, const T* plane, int channel) {
-  const int channels = output.rows.channels;
-  for (int y = 0; y < output.rows.height; ++y) {
-    const T* from =
-        plane + (output.y0 + y - output.rect.y0) * output.rect.width + (output.x0 - output.rect.x0);
-    float* to = output.rows.pixel(output.x0, y) + channel;
-    for (int x = 0; x < output.width; ++x)
-      to[std::ptrdiff_t{x} * channels] = static_cast<float>(from[x]);
-  }
-}
-
-template <class T>
-void copy_color(const TileOutput& output, const T* planes, int channel) {
-  const std::ptrdiff_t size = std::ptrdiff_t{output.rect.width} * output.rect.height;
-  if (!output.frame.options.xyz) {
-    for (int c = 0; c < 3; ++c) copy_plane(output, planes + c * size, channel + c);
-    return;
-  }
-  static const Eigen::Matrix3d to_xyz = xyz_from_rgb(Primaries{});
-  for_pixels(output, [&](int at, int, int, float* pixel) {
-    const Vector3d xyz = to_xyz * Vector3d(planes[at], planes[at + size], planes[at + 2 * size]);
-    for (int c = 0; c < 3; ++c) pixel[channel + c] = static_cast<float>(xyz[c]);
-  });
-}
-
-// As mach_bands of the whole picture.
-template <class T>
-void write_mach_bands(const TileOutput& output, const T* beauty, int channel) {
-  static const Eigen::RowVector3d weights = xyz_from_rgb(Primaries{}).row(1);
-  const int stride = output.rect.width;
-  const std::ptrdiff_t size = std::ptrdiff_t{stride} * output.rect.height;
-  const auto luminance = [&](int at) {
-    return static_cast<float>(weights[0] * beauty[at] + weights[1] * beauty[at + size] +
-                              weights[2] * beauty[at + 2 * size]);
-  };
-  const auto bend = [&](int at, int step, int place, int length) {
-    if (place == 0 || place == length - 1) return 0.0F;
-    return 2 * luminance(at) - luminance(at - step) - luminance(at + step);
-  };
-  const View& view = output.frame.view;
-  for_pixels(output, [&](int at, int x, int y, float* pixel) {
-    pixel[channel] = bend(at, 1, x, view.width) + bend(at, stride, y, view.height);
-  });
-}
-
-// What is known of the surface at the centre of a pixel.
-struct Seen {
-  float id = 0, z = 0;
-  Vector3d place{0, 0, 0}, normal{0, 0, 0};
-  Uv uv = {};
-};
-
-Uv uv_at(const Frame& frame, const DeviceTriangle& drawn, double x, double y) {
-  const WorldTriangle& triangle = frame.world.triangles[drawn.triangle];
-  const CornerWeights weights =
-      corner_weights(frame.view, frame.grid, frame.world, drawn, frame.scene.picture.affine);
-  double u = 0;
-  double v = 0;
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double part = weights.corners[i].at(x - weights.x0, y - weights.y0);
-    const Uv uv = triangle.uv[i] == kNoIndex ? Uv{} : frame.world.uvs[triangle.uv[i]];
-    u += part * uv.u;
-    v += part * uv.v;
-    sum += part;
-  }
-  return {static_cast<float>(u / sum), static_cast<float>(v / sum)};
-}
-
-Seen seen_at(const Frame& frame, const DeviceTriangle& drawn, const SurfacePlanes& planes, double x,
-             double y) {
-  const WorldTriangle& triangle = frame.world.triangles[drawn.triangle];
-  const double across = x - planes.x0;
-  const double down = y - planes.y0;
-  const double nearness = planes.nearness.at(across, down);
-  const double distance = frame.view.orthographic ? nearness : 1 / nearness;
-  const ViewRay ray = view_ray(frame.view, x, y);
-  Seen seen;
-  seen.id = static_cast<float>(triangle.number);
-  seen.z = static_cast<float>(distance);
-  const Vector3d from_eye = ray.from + distance * ray.along;
-  seen.place = frame.view.eye + from_eye;
-  seen.normal =
-      Vector3d(planes.nx.at(across, down), planes.ny.at(across, down), planes.nz.at(across, down));
-  seen.normal = seen.normal / std::sqrt(seen.normal.squaredNorm());
-  const Vector3d& away = frame.view.orthographic ? ray.along : from_eye;
-  const bool turned =
-      frame.scene.materials[triangle.material].two_sided && seen.normal.dot(away) > 0;
-  if (turned) seen.normal = -seen.normal;
-  return seen;
-}
-
-// Where each layer that is not filtered starts in a pixel, or -1.
-struct DataChannels {
-  int normal = -1, place = -1, z = -1, id = -1, uv = -1;
-};
-
-DataChannels data_channels(const RenderOptions& options, std::size_t lights) {
-  DataChannels at;
-  int next = 0;
-  for (const RenderLayer& layer : options.layers) {
-    if (layer.name == kNormalLayer.name) at.normal = next;
-    if (layer.name == kPositionLayer.name) at.place = next;
-    if (layer.name == kDepthLayer.name) at.z = next;
-    if (layer.name == kIdLayer.name) at.id = next;
-    if (layer.name == kUvLayer.name) at.uv = next;
-    next += layer_channels(layer, lights);
-  }
-  return at;
-}
-
-void put(float* pixel, int channel, const Vector3d& v) {
-  if (channel < 0) return;
-  for (int i = 0; i < 3; ++i) pixel[channel + i] = static_cast<float>(v[i]);
-}
-
-void put_seen(float* pixel, const DataChannels& to, const Seen& seen) {
-  put(pixel, to.normal, seen.normal);
-  put(pixel, to.place, seen.place);
-  if (to.z >= 0) pixel[to.z] = seen.z;
-  if (to.id >= 0) pixel[to.id] = seen.id;
-  if (to.uv >= 0) pixel[to.uv] = seen.uv.u;
-  if (to.uv >= 0) pixel[to.uv + 1] = seen.uv.v;
+  return 0;
 }
 
 }  // namespace
 
-int layer_channels(const RenderLayer& layer, std::size_t lights) noexcept {
-  const int each = layer.channels.empty() ? 1 : static_cast<int>(layer.channels.size());
-  return layer.each_light ? each * static_cast<int>(lights) : each;
+std::vector<int> channel_planes(const Scene& scene, const RenderOptions& options,
+                                const ColorPlan& plan, const PlaneLayout& layout) {
+  std::vector<int> planes;
+  for (const RenderLayer& layer : options.layers) {
+    const int each = std::max(1, static_cast<int>(layer.channels.size()));
+    const int count = each * parts_of(layer, scene);
+    const int first = first_plane(layer, plan, layout);
+    for (int c = 0; c < count; ++c) planes.push_back(first + c);
+    if (layer.name == kBeautyLayer.name) planes.back() = layout.coverage;
+  }
+  return planes;
 }
 
-template <class T>
-void write_colors(const TileOutput& output, const T* planes) {
-  const Frame& frame = output.frame;
-  const ColorPlan& plan = frame.plan;
-  const std::ptrdiff_t size = std::ptrdiff_t{output.rect.width} * output.rect.height;
-  const auto lights = static_cast<int>(frame.scene.lights.size());
-  const auto color = [&](int from, int channel) {
-    copy_color(output, planes + from * size, channel);
-  };
-  int next = 0;
-  for (const RenderLayer& layer : frame.options.layers) {
-    if (layer.name == kBeautyLayer.name) {
-      color(plan.beauty, next);
-      copy_plane(output, planes + plan.channels * size, next + 3);
+// Places are those from the eye so far.
+void TileRenderer::place_in_world() {
+  const Eigen::Vector3d& eye = frame_.seen.view.eye;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int number = frame_.layout.place + axis;
+    if (frame_.keeps[static_cast<std::size_t>(number)] == 0) continue;
+    const std::span<float> row = plane(number);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (plane_.id[i] != kNothing) row[i] = static_cast<float>(eye[axis] + double{row[i]});
     }
-    if (layer.name == kAmbientLayer.name) color(plan.ambient, next);
-    if (layer.name == kAlbedoLayer.name) color(plan.albedo, next);
-    if (layer.name == kBlinnMinusPhongLayer.name) color(plan.difference, next);
-    for (int i = 0; i < lights; ++i) {
-      if (layer.name == kDiffuseLayer.name) color(plan.diffuse + 3 * i, next + 3 * i);
-      if (layer.name == kSpecularLayer.name) color(plan.specular + 3 * i, next + 3 * i);
-    }
-    if (layer.name == kMachLayer.name) {
-      write_mach_bands(output, planes + plan.beauty * size, next);
-    }
-    next += layer_channels(layer, frame.scene.lights.size());
   }
 }
 
-template void write_colors(const TileOutput& output, const float* planes);
-template void write_colors(const TileOutput& output, const double* planes);
+void TileRenderer::draw_ids() {
+  const std::span<float> ids = plane(frame_.layout.id);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    ids[i] = 0;
+    if (plane_.id[i] == kNothing) continue;
+    const DeviceTriangle& drawn = frame_.triangles[list_[plane_.id[i]]];
+    ids[i] = static_cast<float>(frame_.seen.world.triangles[drawn.triangle].number);
+  }
+}
 
-void write_data(const TileOutput& output, const VisibilityPlane& centres,
-                std::span<const std::uint32_t> list) {
-  const Frame& frame = output.frame;
-  const DataChannels to = data_channels(frame.options, frame.scene.lights.size());
-  std::uint32_t last = kNothing;
-  SurfacePlanes planes;
-  for_pixels(output, [&](int at, int x, int y, float* pixel) {
-    const std::uint32_t place = centres.id[static_cast<std::size_t>(at)];
-    if (place == kNothing) return put_seen(pixel, to, {});
-    const DeviceTriangle& drawn = frame.triangles[list[place]];
-    if (place != last) {
-      planes =
-          surface_planes(frame.view, frame.grid, frame.world, drawn, frame.scene.picture.affine);
+void TileRenderer::draw_uvs() {
+  clear_planes(frame_.layout.uv, frame_.layout.mach);
+  const std::span<float> u = plane(frame_.layout.uv);
+  const std::span<float> v = plane(frame_.layout.uv + 1);
+  const World& world = frame_.seen.world;
+  for (const HitRun& run : runs_) {
+    const DeviceTriangle& drawn = frame_.triangles[list_[run.triangle]];
+    const CornerWeights weights = corner_weights(frame_.seen, drawn, frame_.scene.picture.affine);
+    std::array<Uv, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t index = world.triangles[drawn.triangle].uv[k];
+      if (index != kNoIndex) at[k] = world.uvs[index];
     }
-    last = place;
-    Seen seen = seen_at(frame, drawn, planes, x + 0.5, y + 0.5);
-    if (to.uv >= 0) seen.uv = uv_at(frame, drawn, x + 0.5, y + 0.5);
-    put_seen(pixel, to, seen);
-  });
+    const Plane up = weights.of(at[0].u, at[1].u, at[2].u);
+    const Plane vp = weights.of(at[0].v, at[1].v, at[2].v);
+    const Plane whole = weights.of(1, 1, 1);
+    for (std::uint32_t i = 0; i < run.length; ++i) {
+      const double across = run.x + static_cast<double>(i) + 0.5 - weights.x0;
+      const double down = run.y + 0.5 - weights.y0;
+      const double sum = whole.at(across, down);
+      u[run.pixel + i] = static_cast<float>(up.at(across, down) / sum);
+      v[run.pixel + i] = static_cast<float>(vp.at(across, down) / sum);
+    }
+  }
+}
+
+// As mach_bands of the whole picture.
+void TileRenderer::draw_mach_bands() {
+  const Eigen::RowVector3d weights = xyz_from_rgb(Primaries{}).row(1);
+  const float* color = planes_.row(frame_.plan.beauty);
+  const std::size_t size = area();
+  std::vector<float> luminance(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    luminance[i] = static_cast<float>(weights[0] * color[i] + weights[1] * color[i + size] +
+                                      weights[2] * color[i + 2 * size]);
+  }
+  const auto bend = [&](std::ptrdiff_t at, std::ptrdiff_t step, int place, int length) {
+    if (place <= 0 || place >= length - 1) return 0.0F;
+    const float* here = luminance.data() + at;
+    return 2 * here[0] - here[-step] - here[step];
+  };
+  const std::span<float> bands = plane(frame_.layout.mach);
+  for (int y = 1; y < rect_.height - 1; ++y) {
+    for (int x = 1; x < rect_.width - 1; ++x) {
+      const std::ptrdiff_t at = std::ptrdiff_t{y} * rect_.width + x;
+      bands[static_cast<std::size_t>(at)] =
+          bend(at, 1, rect_.x0 + x, frame_.seen.view.width) +
+          bend(at, rect_.width, rect_.y0 + y, frame_.seen.view.height);
+    }
+  }
+}
+
+void TileRenderer::use_xyz() {
+  const Eigen::Matrix3d to_xyz = xyz_from_rgb(Primaries{});
+  for (int first = 0; first < frame_.plan.channels; first += 3) {
+    const std::span<float> r = plane(first);
+    const std::span<float> g = plane(first + 1);
+    const std::span<float> b = plane(first + 2);
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      const Eigen::Vector3d xyz = to_xyz * Eigen::Vector3d(r[i], g[i], b[i]);
+      r[i] = static_cast<float>(xyz.x());
+      g[i] = static_cast<float>(xyz.y());
+      b[i] = static_cast<float>(xyz.z());
+    }
+  }
+}
+
+void TileRenderer::write(int x0, int width, int y0, ImageView<float> rows) const {
+  std::vector<const float*> row(frame_.channels.size());
+  for (int y = 0; y < rows.height; ++y) {
+    const std::ptrdiff_t at = std::ptrdiff_t{y0 + y - rect_.y0} * rect_.width + (x0 - rect_.x0);
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] = planes_.row(frame_.channels[c]) + at;
+    interleave(row, static_cast<std::size_t>(width), rows.pixel(x0, y));
+  }
 }
 
 }  // namespace tristim::detail

@@ -13,22 +13,52 @@
 
 namespace tristim::detail {
 
+/// The planes of a tile, by their numbers: the colours of a ColorPlan, then what follows.
+struct PlaneLayout {
+  int coverage = 0;
+  int normal = 0;    // three
+  int place = 0;     // three
+  int distance = 0;  // along the view axis
+  int id = 0;
+  int uv = 0;  // two
+  int mach = 0;
+  int count = 0;
+};
+
+constexpr PlaneLayout plane_layout(int colors) noexcept {
+  return {colors,     colors + 1, colors + 4,  colors + 7,
+          colors + 8, colors + 9, colors + 11, colors + 12};
+}
+
+/// Which data beside light is asked for.
+struct DataPlan {
+  bool geometry = false;  // normal, place, distance
+  bool id = false;
+  bool uv = false;
+  bool mach = false;
+};
+
 /// A picture on its way: what all tiles share.
 struct Frame {
   const Scene& scene;
-  const World& world;
   const RenderOptions& options;
-  View view;
-  FixedGrid grid;
+  SeenWorld seen;
   std::vector<SampleOffset> offsets;
   std::vector<std::vector<FilterTap>> taps;
   ColorPlan plan;
+  DataPlan data;
+  PlaneLayout layout;
+  std::vector<int> channels;  // the plane of each channel of the rows
+  std::vector<char> keeps;    // for each plane whether a channel needs it
   SurfaceShader shader;
   std::vector<DeviceTriangle> triangles;
   bool has_transparent = false;
-  bool wants_data = false;  // layers that are not filtered
-  int margin = 0;           // pixels around a tile that it depends on
+  int margin = 0;  // pixels around a tile that it depends on
 };
+
+/// For each channel of the rows its plane.
+std::vector<int> channel_planes(const Scene& scene, const RenderOptions& options,
+                                const ColorPlan& plan, const PlaneLayout& layout);
 
 /// A place on a transparent surface in front of the opaque ones.
 struct Fragment {
@@ -47,27 +77,43 @@ class TileRenderer {
   void draw(std::span<const std::uint32_t> list, int x0, int width, int y0, ImageView<float> rows);
 
  private:
+  // Runs of one material.
   struct Group {
     std::size_t material;
     std::span<const HitRun> runs;
   };
   void set_list(std::span<const std::uint32_t> list);
-  std::size_t material_of(std::uint32_t place) const;
-  std::size_t area() const noexcept { return plane_.id.size(); }
-  void make_planes(std::uint32_t place);
+  std::size_t area() const noexcept { return plane_.nearness.size(); }
+  std::uint32_t material_of(std::uint32_t place) const {
+    return frame_.triangles[list_[place]].material;
+  }
+  std::span<float> plane(int number) noexcept { return planes_.row(number, area()); }
+  void clear_planes(int first, int last);
+  void group_runs();
+  template <class Use>
+  void for_hits(const Group& group, const SampleOffset& offset, Use&& use);
 
-  // One sample of each pixel.
+  // One sample of each pixel: what is seen, in groups of runs, then its colours.
+  void see(std::size_t triangles, const SampleOffset& offset);
   void draw_sample(const SampleOffset& offset);
   void draw_transparent(const SampleOffset& offset);
   void blend(const Fragment& fragment, std::size_t i);
-
-  // Colours of what runs see, to `out` at the runs' pixels.
-  void shade_runs(const SampleOffset& offset, ColorRows& out);
-  void shade_each_sample(const Group& group, const SampleOffset& offset, ColorRows& out);
+  void shade_groups(const SampleOffset& offset, ColorRows& out);
   void shade_corners(const Group& group);
+  void add_corners(const DeviceTriangle& drawn, bool flat, bool facing);
   void spread_corners(const HitRun& run, const SampleOffset& offset, ColorRows& out) const;
-
   void filter_sample(const std::vector<FilterTap>& taps);
+
+  // What is known of the pixels' centres.
+  void draw_data(bool seen);
+  void keep_geometry();
+  void place_in_world();
+  void draw_ids();
+  void draw_uvs();
+  void draw_mach_bands();
+
+  void use_xyz();
+  void write(int x0, int width, int y0, ImageView<float> rows) const;
 
   const Frame& frame_;
   std::vector<std::uint32_t> list_;  // opaque triangles, then transparent ones
@@ -76,10 +122,12 @@ class TileRenderer {
   VisibilityPlane plane_;
   std::vector<HitRun> runs_;
   std::vector<HitRun> sorted_;
+  std::vector<Group> groups_;
+  bool keeps_geometry_ = false;
 
   // By place in the list, made when they are first needed.
-  std::vector<SurfacePlanes> planes_;
-  std::vector<char> has_planes_;
+  std::vector<SurfacePlanes> surfaces_;
+  std::vector<char> has_surface_;
   std::vector<float> corners_;  // the colours where the model runs on triangles or vertices
   std::vector<CornerWeights> weights_;
   std::vector<char> has_corners_;
@@ -88,24 +136,8 @@ class TileRenderer {
   ColorRows shaded_;
   std::vector<Fragment> fragments_;
   ColorRows fragment_colors_;
-  ColorRows sample_;            // the plan's channels, then coverage
-  std::vector<double> pixels_;  // likewise, filtered
+  ColorRows planes_;
+  std::vector<double> filtered_;  // colours and coverage
 };
-
-/// How many channels a layer has.
-int layer_channels(const RenderLayer& layer, std::size_t lights) noexcept;
-
-/// Writes the layers of a tile: those of its colours from `color`, which has a plane of `rect` for
-/// each channel, the others from what the pixels' centres see.
-struct TileOutput {
-  const Frame& frame;
-  TileRect rect;
-  int x0 = 0, width = 0, y0 = 0;
-  ImageView<float> rows;
-};
-template <class T>
-void write_colors(const TileOutput& output, const T* planes);
-void write_data(const TileOutput& output, const VisibilityPlane& centres,
-                std::span<const std::uint32_t> list);
 
 }  // namespace tristim::detail

@@ -37,7 +37,7 @@ void add_fragments(const DeviceTriangle& triangle, std::uint32_t place, int bits
 void TileRenderer::draw_transparent(const SampleOffset& offset) {
   fragments_.clear();
   for (std::size_t i = opaque_; i < list_.size(); ++i) {
-    add_fragments(frame_.triangles[list_[i]], static_cast<std::uint32_t>(i), frame_.grid.bits,
+    add_fragments(frame_.triangles[list_[i]], static_cast<std::uint32_t>(i), frame_.seen.grid.bits,
                   offset, plane_, fragments_);
   }
   // From behind to the front; of equally near ones the first is in front, as among opaque ones.
@@ -53,7 +53,8 @@ void TileRenderer::draw_transparent(const SampleOffset& offset) {
                      rect_.x0 + pixel % rect_.width, rect_.y0 + pixel / rect_.width, 1});
   }
   fragment_colors_.resize(frame_.plan.channels, fragments_.size());
-  shade_runs(offset, fragment_colors_);
+  group_runs();
+  shade_groups(offset, fragment_colors_);
   for (std::size_t i = 0; i < fragments_.size(); ++i) blend(fragments_[i], i);
 }
 
@@ -67,11 +68,11 @@ void TileRenderer::blend(const Fragment& fragment, std::size_t i) {
   const Rgb tint = filtered ? surface.tint : Rgb{1, 1, 1};
   const std::array<double, 3> behind{surface.kt * tint.r, surface.kt * tint.g, surface.kt * tint.b};
   for (int c = 0; c < frame_.plan.channels; ++c) {
-    float& value = sample_.row(c, area())[fragment.pixel];
+    float& value = plane(c)[fragment.pixel];
     const float own = fragment_colors_.row(c)[i];
     value = static_cast<float>(front * own + behind[static_cast<std::size_t>(c % 3)] * value);
   }
-  float& coverage = sample_.row(frame_.plan.channels, area())[fragment.pixel];
+  float& coverage = plane(frame_.layout.coverage)[fragment.pixel];
   coverage = static_cast<float>(1 - surface.kt * (1 - coverage));
 }
 

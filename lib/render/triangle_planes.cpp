@@ -10,10 +10,9 @@ using Eigen::Vector3d;
 
 using Corners = std::array<DevicePoint, 3>;
 
-Corners device_corners(const View& view, const World& world, const WorldTriangle& triangle) {
-  return {to_device(view, world.positions[triangle.position[0]]),
-          to_device(view, world.positions[triangle.position[1]]),
-          to_device(view, world.positions[triangle.position[2]])};
+Corners device_corners(const SeenWorld& seen, const WorldTriangle& triangle) {
+  return {seen.vertices[triangle.position[0]].point, seen.vertices[triangle.position[1]].point,
+          seen.vertices[triangle.position[2]].point};
 }
 
 // As if all corners were equally far away.
@@ -55,17 +54,10 @@ Plane sum(const Plane& a, const Plane& b) noexcept {
 
 }  // namespace
 
-Plane CornerWeights::of(double a, double b, double c) const noexcept {
-  const auto& [pa, pb, pc] = corners;
-  return {a * pa.start + b * pb.start + c * pc.start, a * pa.dx + b * pb.dx + c * pc.dx,
-          a * pa.dy + b * pb.dy + c * pc.dy};
-}
-
-CornerWeights corner_weights(const View& view, const FixedGrid& grid, const World& world,
-                             const DeviceTriangle& drawn, bool affine) {
-  Corners corners = device_corners(view, world, world.triangles[drawn.triangle]);
+CornerWeights corner_weights(const SeenWorld& seen, const DeviceTriangle& drawn, bool affine) {
+  Corners corners = device_corners(seen, seen.world.triangles[drawn.triangle]);
   if (affine) flatten(corners);
-  return weights_of(grid, corners, drawn.at[0]);
+  return weights_of(seen.grid, corners, drawn.at[0]);
 }
 
 std::array<Vector3d, 3> corner_normals(const World& world, const WorldTriangle& triangle) {
@@ -79,23 +71,21 @@ std::array<Vector3d, 3> corner_normals(const World& world, const WorldTriangle& 
   return normals;
 }
 
-SurfacePlanes surface_planes(const View& view, const FixedGrid& grid, const World& world,
-                             const DeviceTriangle& drawn, bool affine) {
-  const WorldTriangle& triangle = world.triangles[drawn.triangle];
-  const Corners corners = device_corners(view, world, triangle);
-  const CornerWeights weights = weights_of(grid, corners, drawn.at[0]);
+SurfacePlanes surface_planes(const SeenWorld& seen, const DeviceTriangle& drawn, bool affine) {
+  const WorldTriangle& triangle = seen.world.triangles[drawn.triangle];
+  const Corners corners = device_corners(seen, triangle);
+  CornerWeights weights = weights_of(seen.grid, corners, drawn.at[0]);
   SurfacePlanes planes;
   planes.x0 = weights.x0;
   planes.y0 = weights.y0;
-  const auto& [a, b, c] = weights.corners;
-  planes.nearness = view.orthographic
+  planes.nearness = seen.view.orthographic
                         ? weights.of(corners[0].distance, corners[1].distance, corners[2].distance)
-                        : sum(sum(a, b), c);
-  const CornerWeights& shares = affine ? corner_weights(view, grid, world, drawn, true) : weights;
-  const std::array<Vector3d, 3> normals = corner_normals(world, triangle);
-  planes.nx = plane_of_normal(shares, normals, 0);
-  planes.ny = plane_of_normal(shares, normals, 1);
-  planes.nz = plane_of_normal(shares, normals, 2);
+                        : sum(sum(weights.corners[0], weights.corners[1]), weights.corners[2]);
+  if (affine) weights = corner_weights(seen, drawn, true);
+  const std::array<Vector3d, 3> normals = corner_normals(seen.world, triangle);
+  planes.nx = plane_of_normal(weights, normals, 0);
+  planes.ny = plane_of_normal(weights, normals, 1);
+  planes.nz = plane_of_normal(weights, normals, 2);
   return planes;
 }
 

@@ -22,13 +22,24 @@ struct CornerWeights {
   std::array<Plane, 3> corners{};
 
   /// The plane of a value that the corners have.
-  Plane of(double a, double b, double c) const noexcept;
+  Plane of(double a, double b, double c) const noexcept {
+    const auto& [pa, pb, pc] = corners;
+    return {a * pa.start + b * pb.start + c * pc.start, a * pa.dx + b * pb.dx + c * pc.dx,
+            a * pa.dy + b * pb.dy + c * pc.dy};
+  }
+};
+
+/// A camera and what it sees of the corners of a world.
+struct SeenWorld {
+  const World& world;
+  View view;
+  FixedGrid grid;
+  std::vector<DeviceVertex> vertices;
 };
 
 /// Of the whole triangle, whichever piece `drawn` is of it; the planes start at the piece's first
 /// corner. `affine`: linear in the picture, except where the triangle reaches behind the eye.
-CornerWeights corner_weights(const View& view, const FixedGrid& grid, const World& world,
-                             const DeviceTriangle& drawn, bool affine);
+CornerWeights corner_weights(const SeenWorld& seen, const DeviceTriangle& drawn, bool affine);
 
 /// The normals at the corners.
 std::array<Eigen::Vector3d, 3> corner_normals(const World& world, const WorldTriangle& triangle);
@@ -40,7 +51,6 @@ struct SurfacePlanes {
   Plane nx, ny, nz;  // of the normal, of any length
 };
 
-SurfacePlanes surface_planes(const View& view, const FixedGrid& grid, const World& world,
-                             const DeviceTriangle& drawn, bool affine);
+SurfacePlanes surface_planes(const SeenWorld& seen, const DeviceTriangle& drawn, bool affine);
 
 }  // namespace tristim::detail

@@ -1,0 +1,82 @@
+#include "lib/render/hit_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace tristim::detail {
+namespace {
+
+VisibilityPlane random_plane(std::mt19937& random, int kinds) {
+  VisibilityPlane plane;
+  plane.clear({.x0 = 32, .y0 = -3, .width = 80, .height = 9});
+  std::uint32_t id = 0;
+  for (std::size_t i = 0; i + 1 < plane.id.size(); ++i) {
+    if (random() % 4 == 0) id = static_cast<std::uint32_t>(random() % static_cast<unsigned>(kinds));
+    plane.id[i] = id == 0 ? kNothing : id;
+  }
+  return plane;
+}
+
+TEST(FindRuns, InVectorsIsTheDefinition) {
+  std::mt19937 random(5);
+  for (const int kinds : {1, 2, 3, 50}) {
+    const VisibilityPlane plane = random_plane(random, kinds);
+    std::vector<HitRun> fast;
+    std::vector<HitRun> slow;
+    find_runs(plane, fast);
+    find_runs_scalar(plane, slow);
+    ASSERT_EQ(fast.size(), slow.size());
+    for (std::size_t i = 0; i < fast.size(); ++i) {
+      EXPECT_EQ(fast[i].pixel, slow[i].pixel);
+      EXPECT_EQ(fast[i].triangle, slow[i].triangle);
+      EXPECT_EQ(fast[i].x, slow[i].x);
+      EXPECT_EQ(fast[i].y, slow[i].y);
+      EXPECT_EQ(fast[i].length, slow[i].length);
+    }
+  }
+}
+
+TEST(GatherHits, InVectorsIsTheDefinition) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> value(-1, 1);
+  const VisibilityPlane plane = random_plane(random, 9);
+  std::vector<HitRun> runs;
+  find_runs(plane, runs);
+  std::vector<SurfacePlanes> planes(9);
+  for (SurfacePlanes& each : planes) {
+    each.x0 = 70 + 20 * value(random);
+    each.y0 = 5 * value(random);
+    each.nearness = {2 + value(random), value(random) / 100, value(random) / 100};
+    for (Plane* n : {&each.nx, &each.ny, &each.nz}) {
+      *n = {value(random), value(random) / 100, value(random) / 100};
+    }
+  }
+  for (const bool orthographic : {false, true}) {
+    for (const bool facing : {false, true}) {
+      const Camera camera{.eye = {1, 2, 3}, .orthographic = orthographic};
+      const HitRays rays = hit_rays(view_of(camera, 128, 10));
+      HitRows fast;
+      HitRows slow;
+      fast.resize(1000);
+      slow.resize(1000);
+      gather_hits(runs, planes.data(), 0.25, 0.75, rays, facing, fast);
+      for (const HitRun& run : runs) add_run(run, planes[run.triangle], 0.25, 0.75, slow);
+      finish_hits(rays, facing, slow);
+      ASSERT_EQ(fast.size, slow.size);
+      for (std::size_t i = 0; i < slow.size; ++i) {
+        EXPECT_EQ(fast.pixel[i], slow.pixel[i]);
+        EXPECT_EQ(fast.x[i], slow.x[i]);
+        EXPECT_EQ(fast.y[i], slow.y[i]);
+        EXPECT_EQ(fast.z[i], slow.z[i]);
+        EXPECT_EQ(fast.nx[i], slow.nx[i]);
+        EXPECT_EQ(fast.ny[i], slow.ny[i]);
+        EXPECT_EQ(fast.nz[i], slow.nz[i]);
+        EXPECT_EQ(fast.distance[i], slow.distance[i]);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tristim::detail
