@@ -14,9 +14,34 @@ namespace {
 
 #include "lib/render/hit_lanes-inl.h"
 
-HitRun run_from(const VisibilityPlane& plane, std::size_t row, int x, int y, std::uint32_t id) {
-  return {static_cast<std::uint32_t>(row + static_cast<std::size_t>(x)), id, plane.rect.x0 + x,
-          plane.rect.y0 + y, 0};
+// What fills a block has a place and a normal as well.
+void fill_block(HitRows& rows) {
+  for (int i = 0; i < kBlock; ++i) {
+    const std::size_t at = rows.size++;
+    rows.sample_x[at] = rows.sample_y[at] = rows.raw_x[at] = rows.raw_y[at] = 0;
+    rows.nearness[at] = rows.raw_z[at] = 1;
+  }
+}
+
+void add_run(const HitJob& job, const HitRun& run, std::size_t at, HitRows& rows) {
+  const SurfacePlanes& planes = job.planes[run.triangle];
+  const double across = run.x + job.shift_x - planes.x0;
+  const double down = run.y + job.shift_y - planes.y0;
+  const auto add = [&](const Plane& plane, std::vector<float>& row) {
+    const auto start = static_cast<float>(plane.at(across, down));
+    for (std::uint32_t i = 0; i < run.length; ++i) {
+      row[at + i] = start + static_cast<float>(plane.dx) * static_cast<float>(i);
+    }
+  };
+  add(planes.nearness, rows.nearness);
+  add(planes.nx, rows.raw_x);
+  add(planes.ny, rows.raw_y);
+  add(planes.nz, rows.raw_z);
+  const auto x = static_cast<float>(run.x + job.shift_x);
+  for (std::uint32_t i = 0; i < run.length; ++i) {
+    rows.sample_x[at + i] = x + static_cast<float>(i);
+    rows.sample_y[at + i] = static_cast<float>(run.y + job.shift_y);
+  }
 }
 
 void set_axes(float (&out)[3], const Eigen::Vector3d& v) {
@@ -25,26 +50,26 @@ void set_axes(float (&out)[3], const Eigen::Vector3d& v) {
 
 }  // namespace
 
-void find_runs_scalar(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
+std::size_t find_runs_scalar(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
   runs.clear();
   const int width = plane.rect.width;
   for (int y = 0; y < plane.rect.height; ++y) {
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-    const std::uint32_t* id = plane.id.data() + row;
     for (int x = 0; x < width;) {
       const int first = x;
-      const std::uint32_t seen = id[x];
-      const int end = first - first % kLongestRun + kLongestRun;
-      while (x < end && id[x] == seen) ++x;
-      if (seen == kNothing) continue;
-      runs.push_back(run_from(plane, row, first, y, seen));
-      runs.back().length = static_cast<std::uint32_t>(x - first);
+      const auto pixel = static_cast<std::uint32_t>(y * width + first);
+      const std::uint32_t* id = plane.id.data() + pixel - first;
+      const int end = first - first % kBlock + kBlock;
+      while (x < end && id[x] == id[first]) ++x;
+      if (id[first] == kNothing) continue;
+      runs.push_back({pixel, id[first], plane.rect.x0 + first, plane.rect.y0 + y,
+                      static_cast<std::uint32_t>(x - first)});
     }
   }
+  return runs.size();
 }
 
 void HitRows::resize(std::size_t most) {
-  pixel.resize(most + kHitPadding);
+  blocks.resize(most / kBlock + 1);
   for (auto* row : {&sample_x, &sample_y, &x, &y, &z, &nx, &ny, &nz, &distance, &nearness, &raw_x,
                     &raw_y, &raw_z}) {
     row->resize(most + kHitPadding);
@@ -70,31 +95,22 @@ HitRays hit_rays(const View& view) noexcept {
   return rays;
 }
 
-void add_run(const HitRun& run, const SurfacePlanes& planes, double shift_x, double shift_y,
-             HitRows& rows) {
-  const double across = run.x + shift_x - planes.x0;
-  const double down = run.y + shift_y - planes.y0;
-  const auto add = [&](const Plane& plane, std::vector<float>& row) {
-    const auto start = static_cast<float>(plane.at(across, down));
-    for (std::uint32_t i = 0; i < run.length; ++i) {
-      row[rows.size + i] = start + static_cast<float>(plane.dx) * static_cast<float>(i);
+void gather_hits_scalar(const HitJob& job, HitRows& rows) {
+  rows.size = 0;
+  std::size_t blocks = 0;
+  for (const HitRun& run : job.runs) {
+    const std::uint32_t first = run.pixel % kBlock;
+    if (blocks == 0 || rows.blocks[blocks - 1].pixel != run.pixel - first) {
+      rows.blocks[blocks++] = {run.pixel - first, 0};
+      fill_block(rows);
     }
-  };
-  add(planes.nearness, rows.nearness);
-  add(planes.nx, rows.raw_x);
-  add(planes.ny, rows.raw_y);
-  add(planes.nz, rows.raw_z);
-  const auto x = static_cast<float>(run.x + shift_x);
-  for (std::uint32_t i = 0; i < run.length; ++i) {
-    rows.pixel[rows.size + i] = run.pixel + i;
-    rows.sample_x[rows.size + i] = x + static_cast<float>(i);
-    rows.sample_y[rows.size + i] = static_cast<float>(run.y + shift_y);
+    HitBlock& block = rows.blocks[blocks - 1];
+    for (std::uint32_t i = 0; i < run.length; ++i) block.lanes |= 1U << (first + i);
+    add_run(job, run, rows.size - kBlock + first, rows);
   }
-  rows.size += run.length;
-}
-
-void finish_hits(const HitRays& rays, bool facing, HitRows& rows) {
-  for (std::size_t i = 0; i < rows.size; ++i) finish_at<ScalarLanes>(rays, facing, rows, i);
+  for (std::size_t i = 0; i < rows.size; ++i) {
+    finish_at<ScalarLanes>(job.rays, job.facing, rows, i);
+  }
 }
 
 }  // namespace tristim::detail

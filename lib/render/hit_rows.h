@@ -19,16 +19,22 @@ struct HitRun {
   std::uint32_t length = 0;
 };
 
-/// Runs are no longer: planes are in single precision from where a run starts.
-inline constexpr int kLongestRun = 16;
+/// Runs lie within blocks of a row.
+static_assert(kBlock == 16);
 
-/// The runs of a plane, row by row.
-void find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs);
+/// The runs of a plane, row by row, into `runs`, which grows as needed; how many there are.
+std::size_t find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs);
 
-/// What samples see, a row for each coordinate. Places are relative to the eye.
+/// What samples see, a row for each coordinate, in blocks: `pixel` is a plane's first of a block,
+/// bit i of `lanes` is set where the block's sample i is one. The others are there to fill it.
+/// Places are relative to the eye.
+struct HitBlock {
+  std::uint32_t pixel = 0;
+  std::uint32_t lanes = 0;
+};
 struct HitRows {
-  std::size_t size = 0;
-  std::vector<std::uint32_t> pixel;                  // in the plane
+  std::size_t size = 0;  // samples, with those that fill blocks
+  std::vector<HitBlock> blocks;
   std::vector<float> sample_x, sample_y;             // in the picture
   std::vector<float> nearness, raw_x, raw_y, raw_z;  // as SurfacePlanes has them
   std::vector<float> x, y, z, nx, ny, nz;
@@ -51,20 +57,22 @@ struct HitRays {
 
 HitRays hit_rays(const View& view) noexcept;
 
-/// The same one pixel after the other: what the fast version is tested against.
-void find_runs_scalar(const VisibilityPlane& plane, std::vector<HitRun>& runs);
+/// The samples at `shift_x`, `shift_y` in the pixels of runs: blocks, sample_x, sample_y, nearness
+/// and raw normals, then places and unit normals; with `facing` these are turned to the eye.
+/// `planes` are in the order of `triangle`.
+struct HitJob {
+  std::span<const HitRun> runs;
+  const SurfacePlanes* planes = nullptr;
+  double shift_x = 0, shift_y = 0;
+  HitRays rays = {};
+  bool facing = false;
+};
 
-/// Appends the samples of a run at `shift_x`, `shift_y` in their pixels: pixel, sample_x, sample_y,
-/// nearness and raw normals. `planes` are those of the run's triangle.
-void add_run(const HitRun& run, const SurfacePlanes& planes, double shift_x, double shift_y,
-             HitRows& rows);
+/// In vectors. hit_rows_simd.cpp
+void gather_hits(const HitJob& job, HitRows& rows);
 
-/// Places and unit normals of all samples; with `facing` normals are turned to the eye.
-void finish_hits(const HitRays& rays, bool facing, HitRows& rows);
-
-/// add_run for each run, then finish_hits, in vectors: same bits. `planes` in the order of
-/// `triangle`. hit_rows_simd.cpp
-void gather_hits(std::span<const HitRun> runs, const SurfacePlanes* planes, double shift_x,
-                 double shift_y, const HitRays& rays, bool facing, HitRows& rows);
+/// One sample after the other: what the fast versions are tested against, same bits.
+std::size_t find_runs_scalar(const VisibilityPlane& plane, std::vector<HitRun>& runs);
+void gather_hits_scalar(const HitJob& job, HitRows& rows);
 
 }  // namespace tristim::detail

@@ -25,46 +25,71 @@ namespace HWY_NAMESPACE {
 // clang-format on
 
 namespace hw = hwy::HWY_NAMESPACE;
-using Floats16 = hw::CappedTag<float, kLongestRun>;
-using Ids16 = hw::RebindToUnsigned<Floats16>;
+using BlockTag = hw::CappedTag<float, kBlock>;
+using IdTag = hw::RebindToUnsigned<BlockTag>;
+using LanesOfBlock = hw::Vec<BlockTag>;
 
-HWY_INLINE void store_plane(const Plane& plane, double across, double down, std::size_t length,
-                            float* out) {
-  const Floats16 d;
+// The lanes of a run from lane `first` of a vector on, and how far each is from the run's start.
+struct RunLanes {
+  hw::Mask<BlockTag> inside;
+  LanesOfBlock from_start;
+};
+
+HWY_INLINE RunLanes lanes_of_run(int first, std::uint32_t length) {
+  const BlockTag d;
+  const auto from_start = hw::Iota(d, 0) - hw::Set(d, static_cast<float>(first));
+  const auto end = hw::Set(d, static_cast<float>(length));
+  return {hw::And(from_start >= hw::Zero(d), from_start < end), from_start};
+}
+
+HWY_INLINE void put(const RunLanes& lanes, LanesOfBlock value, float* out) {
+  const BlockTag d;
+  hw::StoreU(hw::IfThenElse(lanes.inside, value, hw::LoadU(d, out)), d, out);
+}
+
+HWY_INLINE void put_plane(const Plane& plane, double across, double down, const RunLanes& lanes,
+                          float* out) {
+  const BlockTag d;
   const auto start = hw::Set(d, static_cast<float>(plane.at(across, down)));
-  const auto step = hw::Set(d, static_cast<float>(plane.dx));
-  for (std::size_t i = 0; i < length; i += hw::Lanes(d)) {
-    hw::StoreU(start + step * hw::Iota(d, static_cast<float>(i)), d, out + i);
+  put(lanes, start + hw::Set(d, static_cast<float>(plane.dx)) * lanes.from_start, out);
+}
+
+HWY_INLINE void add_run(const HitJob& job, const HitRun& run, std::size_t block, HitRows& rows) {
+  const BlockTag d;
+  const SurfacePlanes& planes = job.planes[run.triangle];
+  const double across = run.x + job.shift_x - planes.x0;
+  const double down = run.y + job.shift_y - planes.y0;
+  const auto x = hw::Set(d, static_cast<float>(run.x + job.shift_x));
+  const auto y = hw::Set(d, static_cast<float>(run.y + job.shift_y));
+  for (int lane = 0; lane < kBlock; lane += static_cast<int>(hw::Lanes(d))) {
+    const auto lanes = lanes_of_run(static_cast<int>(run.pixel % kBlock) - lane, run.length);
+    const std::size_t at = block + static_cast<std::size_t>(lane);
+    put_plane(planes.nearness, across, down, lanes, rows.nearness.data() + at);
+    put_plane(planes.nx, across, down, lanes, rows.raw_x.data() + at);
+    put_plane(planes.ny, across, down, lanes, rows.raw_y.data() + at);
+    put_plane(planes.nz, across, down, lanes, rows.raw_z.data() + at);
+    put(lanes, x + lanes.from_start, rows.sample_x.data() + at);
+    put(lanes, y, rows.sample_y.data() + at);
   }
 }
 
-HWY_INLINE void add(const HitRun& run, const SurfacePlanes& planes, double shift_x, double shift_y,
-                    HitRows& rows) {
-  const Floats16 d;
-  const Ids16 ids;
-  const double across = run.x + shift_x - planes.x0;
-  const double down = run.y + shift_y - planes.y0;
-  store_plane(planes.nearness, across, down, run.length, rows.nearness.data() + rows.size);
-  store_plane(planes.nx, across, down, run.length, rows.raw_x.data() + rows.size);
-  store_plane(planes.ny, across, down, run.length, rows.raw_y.data() + rows.size);
-  store_plane(planes.nz, across, down, run.length, rows.raw_z.data() + rows.size);
-  const auto x = hw::Set(d, static_cast<float>(run.x + shift_x));
-  const auto y = hw::Set(d, static_cast<float>(run.y + shift_y));
-  for (std::size_t i = 0; i < run.length; i += hw::Lanes(d)) {
-    const std::size_t at = rows.size + i;
-    hw::StoreU(x + hw::Iota(d, static_cast<float>(i)), d, rows.sample_x.data() + at);
-    hw::StoreU(y, d, rows.sample_y.data() + at);
-    hw::StoreU(hw::Iota(ids, static_cast<std::uint32_t>(run.pixel + i)), ids,
-               rows.pixel.data() + at);
+HWY_INLINE void fill_block(HitRows& rows) {
+  const BlockTag d;
+  for (int lane = 0; lane < kBlock; lane += static_cast<int>(hw::Lanes(d))) {
+    const std::size_t at = rows.size + static_cast<std::size_t>(lane);
+    for (auto* row : {&rows.sample_x, &rows.sample_y, &rows.raw_x, &rows.raw_y}) {
+      hw::StoreU(hw::Zero(d), d, row->data() + at);
+    }
+    for (auto* row : {&rows.nearness, &rows.raw_z}) hw::StoreU(hw::Set(d, 1), d, row->data() + at);
   }
-  rows.size += run.length;
+  rows.size += kBlock;
 }
 
 // A bit for each pixel of a block that ends a run.
 HWY_INLINE std::uint32_t ends_of(const std::uint32_t* id) {
-  const Ids16 d;
-  std::uint32_t ends = 1U << (kLongestRun - 1);
-  for (std::size_t i = 0; i < kLongestRun; i += hw::Lanes(d)) {
+  const IdTag d;
+  std::uint32_t ends = 1U << (kBlock - 1);
+  for (std::size_t i = 0; i < kBlock; i += hw::Lanes(d)) {
     std::uint8_t bytes[8] = {};
     hw::StoreMaskBits(d, hw::LoadU(d, id + i) != hw::LoadU(d, id + i + 1), bytes);
     ends |= (std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8) << i;
@@ -72,12 +97,12 @@ HWY_INLINE std::uint32_t ends_of(const std::uint32_t* id) {
   return ends;
 }
 
-void runs_of(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
-  runs.resize(plane.id.size());
+std::size_t runs_of(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
+  if (runs.size() < plane.id.size()) runs.resize(plane.id.size());
   HitRun* next = runs.data();
   const int width = plane.rect.width;
   for (int y = 0; y < plane.rect.height; ++y) {
-    for (int block = 0; block < width; block += kLongestRun) {
+    for (int block = 0; block < width; block += kBlock) {
       const auto pixel = static_cast<std::uint32_t>(y * width + block);
       const std::uint32_t* id = plane.id.data() + pixel;
       std::uint32_t first = 0;
@@ -90,17 +115,24 @@ void runs_of(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
       }
     }
   }
-  runs.resize(static_cast<std::size_t>(next - runs.data()));
+  return static_cast<std::size_t>(next - runs.data());
 }
 
-void gather(const HitRun* runs, std::size_t count, const SurfacePlanes* planes, double shift_x,
-            double shift_y, const HitRays& rays, bool facing, HitRows& rows) {
-  for (std::size_t i = 0; i < count; ++i) {
-    add(runs[i], planes[runs[i].triangle], shift_x, shift_y, rows);
+void gather(const HitJob& job, HitRows& rows) {
+  rows.size = 0;
+  HitBlock* block = rows.blocks.data() - 1;
+  for (const HitRun& run : job.runs) {
+    const std::uint32_t first = run.pixel % kBlock;
+    if (rows.size == 0 || block->pixel != run.pixel - first) {
+      *++block = {run.pixel - first, 0};
+      fill_block(rows);
+    }
+    block->lanes |= ((1U << run.length) - 1) << first;
+    add_run(job, run, rows.size - kBlock, rows);
   }
   const std::size_t step = VectorLanes::size();
   for (std::size_t i = 0; i < rows.size; i += step) {
-    finish_at<VectorLanes>(rays, facing, rows, i);
+    finish_at<VectorLanes>(job.rays, job.facing, rows, i);
   }
 }
 
@@ -114,15 +146,11 @@ namespace tristim::detail {
 HWY_EXPORT(gather);
 HWY_EXPORT(runs_of);
 
-void find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
-  HWY_DYNAMIC_DISPATCH(runs_of)(plane, runs);
+std::size_t find_runs(const VisibilityPlane& plane, std::vector<HitRun>& runs) {
+  return HWY_DYNAMIC_DISPATCH(runs_of)(plane, runs);
 }
 
-void gather_hits(std::span<const HitRun> runs, const SurfacePlanes* planes, double shift_x,
-                 double shift_y, const HitRays& rays, bool facing, HitRows& rows) {
-  HWY_DYNAMIC_DISPATCH(gather)
-  (runs.data(), runs.size(), planes, shift_x, shift_y, rays, facing, rows);
-}
+void gather_hits(const HitJob& job, HitRows& rows) { HWY_DYNAMIC_DISPATCH(gather)(job, rows); }
 
 }  // namespace tristim::detail
 #endif

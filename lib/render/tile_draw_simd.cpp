@@ -95,14 +95,14 @@ HWY_INLINE void draw_small(const Target& to, const std::array<PixelEdge, 3>& edg
   const SmallEdge c = small_edge(edges[2]);
   for (int y = rows.first; y < rows.last; ++y) {
     for (int block = x0; block < columns.last; block += kBlock) {
-      const BlockDepth depth = block_depth(to, block, y);
       for (int lane = 0; lane < kBlock; lane += step) {
         const int across = block + lane - x0;
         const Int outside = hn::Or(hn::Or(edge_at(a, across, y - y0), edge_at(b, across, y - y0)),
                                    edge_at(c, across, y - y0));
         const auto inside = hn::RebindMask(FloatTag(), outside > hn::Set(IntTag(), -1));
         if (hn::AllFalse(FloatTag(), inside)) continue;
-        keep_nearer(to, depth, inside, lane, place(to.plane.rect, block + lane, y));
+        keep_nearer(to, block_depth(to, block, y), inside, lane,
+                    place(to.plane.rect, block + lane, y));
       }
     }
   }

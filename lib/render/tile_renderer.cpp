@@ -1,6 +1,7 @@
 #include "lib/render/tile_renderer.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "tristim/light/normals.h"
 #include "tristim/light/vector.h"
@@ -26,12 +27,19 @@ TileRect rect_around(int x0, int width, int y0, int height, int margin) {
 
 // Values of hits to the pixels that they belong to.
 void scatter(const HitRows& hits, const float* from, float* to) {
-  const std::size_t first = hits.pixel[0];
-  if (hits.pixel[hits.size - 1] - first + 1 == hits.size) {  // a tile without holes
-    std::copy_n(from, hits.size, to + first);
-    return;
+  constexpr std::uint32_t kAll = (1U << kBlock) - 1;
+  for (std::size_t b = 0; b < hits.size / kBlock; ++b, from += kBlock) {
+    const HitBlock& block = hits.blocks[b];
+    float* pixel = to + block.pixel;
+    if (block.lanes == kAll) {
+      std::copy_n(from, kBlock, pixel);
+      continue;
+    }
+    for (std::uint32_t left = block.lanes; left != 0; left &= left - 1) {
+      const auto lane = std::countr_zero(left);
+      pixel[lane] = from[lane];
+    }
   }
-  for (std::size_t i = 0; i < hits.size; ++i) to[hits.pixel[i]] = from[i];
 }
 
 }  // namespace
@@ -54,6 +62,12 @@ void TileRenderer::set_list(std::span<const std::uint32_t> list) {
 
 void TileRenderer::draw(std::span<const std::uint32_t> list, int x0, int width, int y0,
                         ImageView<float> rows) {
+  if (list.empty()) {
+    for (int y = 0; y < rows.height; ++y) {
+      std::fill_n(rows.pixel(x0, y), width * rows.channels, 0.0F);
+    }
+    return;
+  }
   set_list(list);
   rect_ = rect_around(x0, width, y0, rows.height, frame_.margin);
   const auto size = static_cast<std::size_t>(rect_.width) * static_cast<std::size_t>(rect_.height);
@@ -64,7 +78,7 @@ void TileRenderer::draw(std::span<const std::uint32_t> list, int x0, int width, 
   const DataPlan& data = frame_.data;
   const bool centres = frame_.offsets.size() == 1 && opaque_ == list_.size();
   keeps_geometry_ = centres && data.geometry;
-  if (keeps_geometry_) clear_planes(frame_.layout.normal, frame_.layout.id);
+  if (keeps_geometry_) clear_geometry();
   for (std::size_t i = 0; i < frame_.offsets.size() && frame_.plan.channels > 0; ++i) {
     draw_sample(frame_.offsets[i]);
     if (filtered) filter_sample(frame_.taps[i]);
@@ -82,11 +96,18 @@ void TileRenderer::clear_planes(int first, int last) {
   std::fill(begin + first * size, begin + last * size, 0.0F);
 }
 
+void TileRenderer::clear_geometry() {
+  for (int p = frame_.layout.normal; p < frame_.layout.id; ++p) {
+    if (frame_.keeps[static_cast<std::size_t>(p)] != 0) clear_planes(p, p + 1);
+  }
+}
+
 void TileRenderer::see(std::size_t triangles, const SampleOffset& offset) {
   plane_.clear(rect_);
   draw_triangles(frame_.triangles, {list_.data(), triangles}, frame_.seen.grid.bits, offset,
                  plane_);
-  find_runs(plane_, runs_);
+  const std::size_t count = find_runs(plane_, run_memory_);
+  runs_ = {run_memory_.data(), count};
   group_runs();
 }
 
@@ -124,21 +145,22 @@ void TileRenderer::for_hits(const Group& group, const SampleOffset& offset, Use&
   const SeenWorld& seen = frame_.seen;
   const HitRays rays = hit_rays(seen.view);
   const bool facing = frame_.scene.materials[group.material].two_sided;
-  hits_.resize(kChunk + static_cast<std::size_t>(rect_.width));
+  hits_.resize(kChunk + kBlock);
   for (std::size_t i = 0; i < group.runs.size();) {
     const std::size_t begin = i;
-    std::size_t samples = 0;
-    for (; i < group.runs.size() && samples < kChunk; ++i) {
-      const std::uint32_t place = group.runs[i].triangle;
-      samples += group.runs[i].length;
-      if (has_surface_[place] != 0) continue;
-      has_surface_[place] = 1;
-      surfaces_[place] =
-          surface_planes(seen, frame_.triangles[list_[place]], frame_.scene.picture.affine);
+    std::uint32_t block = kNothing;
+    for (std::size_t samples = 0; i < group.runs.size(); ++i) {
+      const HitRun& run = group.runs[i];
+      if (run.pixel / kBlock != block) samples += kBlock;
+      if (samples > kChunk) break;
+      block = run.pixel / kBlock;
+      if (has_surface_[run.triangle] != 0) continue;
+      has_surface_[run.triangle] = 1;
+      surfaces_[run.triangle] =
+          surface_planes(seen, frame_.triangles[list_[run.triangle]], frame_.scene.picture.affine);
     }
-    hits_.size = 0;
-    gather_hits(group.runs.subspan(begin, i - begin), surfaces_.data(),
-                in_pixels(offset.x, seen.grid), in_pixels(offset.y, seen.grid), rays, facing,
+    gather_hits({group.runs.subspan(begin, i - begin), surfaces_.data(),
+                 in_pixels(offset.x, seen.grid), in_pixels(offset.y, seen.grid), rays, facing},
                 hits_);
     use();
   }
@@ -184,7 +206,7 @@ void TileRenderer::draw_data(bool seen) {
   const SampleOffset centre = sample_offsets(1, frame_.seen.grid.bits)[0];
   if (!seen) see(list_.size(), centre);
   if (frame_.data.geometry && !(seen && keeps_geometry_)) {
-    clear_planes(frame_.layout.normal, frame_.layout.id);
+    clear_geometry();
     for (const Group& group : groups_) for_hits(group, centre, [&] { keep_geometry(); });
   }
   if (frame_.data.geometry) place_in_world();

@@ -89,6 +89,7 @@ class TileRenderer {
   }
   std::span<float> plane(int number) noexcept { return planes_.row(number, area()); }
   void clear_planes(int first, int last);
+  void clear_geometry();
   void group_runs();
   template <class Use>
   void for_hits(const Group& group, const SampleOffset& offset, Use&& use);
@@ -120,7 +121,8 @@ class TileRenderer {
   std::size_t opaque_ = 0;
   TileRect rect_;
   VisibilityPlane plane_;
-  std::vector<HitRun> runs_;
+  std::vector<HitRun> run_memory_;
+  std::span<const HitRun> runs_;
   std::vector<HitRun> sorted_;
   std::vector<Group> groups_;
   bool keeps_geometry_ = false;

@@ -46,13 +46,14 @@ void TileRenderer::draw_transparent(const SampleOffset& offset) {
     if (a.nearness != b.nearness) return a.nearness < b.nearness;
     return a.triangle > b.triangle;
   });
-  runs_.clear();
+  run_memory_.clear();
   for (std::size_t i = 0; i < fragments_.size(); ++i) {
     const auto pixel = static_cast<int>(fragments_[i].pixel);
-    runs_.push_back({static_cast<std::uint32_t>(i), fragments_[i].triangle,
-                     rect_.x0 + pixel % rect_.width, rect_.y0 + pixel / rect_.width, 1});
+    run_memory_.push_back({static_cast<std::uint32_t>(i), fragments_[i].triangle,
+                           rect_.x0 + pixel % rect_.width, rect_.y0 + pixel / rect_.width, 1});
   }
   fragment_colors_.resize(frame_.plan.channels, fragments_.size());
+  runs_ = run_memory_;
   group_runs();
   shade_groups(offset, fragment_colors_);
   for (std::size_t i = 0; i < fragments_.size(); ++i) blend(fragments_[i], i);

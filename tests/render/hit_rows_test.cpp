@@ -24,7 +24,7 @@ TEST(FindRuns, InVectorsIsTheDefinition) {
     const VisibilityPlane plane = random_plane(random, kinds);
     std::vector<HitRun> fast;
     std::vector<HitRun> slow;
-    find_runs(plane, fast);
+    fast.resize(find_runs(plane, fast));
     find_runs_scalar(plane, slow);
     ASSERT_EQ(fast.size(), slow.size());
     for (std::size_t i = 0; i < fast.size(); ++i) {
@@ -42,7 +42,7 @@ TEST(GatherHits, InVectorsIsTheDefinition) {
   std::uniform_real_distribution<double> value(-1, 1);
   const VisibilityPlane plane = random_plane(random, 9);
   std::vector<HitRun> runs;
-  find_runs(plane, runs);
+  runs.resize(find_runs(plane, runs));
   std::vector<SurfacePlanes> planes(9);
   for (SurfacePlanes& each : planes) {
     each.x0 = 70 + 20 * value(random);
@@ -60,12 +60,15 @@ TEST(GatherHits, InVectorsIsTheDefinition) {
       HitRows slow;
       fast.resize(1000);
       slow.resize(1000);
-      gather_hits(runs, planes.data(), 0.25, 0.75, rays, facing, fast);
-      for (const HitRun& run : runs) add_run(run, planes[run.triangle], 0.25, 0.75, slow);
-      finish_hits(rays, facing, slow);
+      const HitJob job{runs, planes.data(), 0.25, 0.75, rays, facing};
+      gather_hits(job, fast);
+      gather_hits_scalar(job, slow);
       ASSERT_EQ(fast.size, slow.size);
+      for (std::size_t i = 0; i < slow.size / kBlock; ++i) {
+        EXPECT_EQ(fast.blocks[i].pixel, slow.blocks[i].pixel);
+        EXPECT_EQ(fast.blocks[i].lanes, slow.blocks[i].lanes);
+      }
       for (std::size_t i = 0; i < slow.size; ++i) {
-        EXPECT_EQ(fast.pixel[i], slow.pixel[i]);
         EXPECT_EQ(fast.x[i], slow.x[i]);
         EXPECT_EQ(fast.y[i], slow.y[i]);
         EXPECT_EQ(fast.z[i], slow.z[i]);
