@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -10,22 +13,41 @@
 
 namespace tristim::tools {
 
-Progress::Progress(const std::string& name, int height)
-    : name_(one_line(name)), height_(height), shown_(isatty(STDERR_FILENO) == 1 && !quiet()) {}
+Progress::Progress(const std::string& name, int height, int width)
+    : name_(one_line(name)),
+      height_(height),
+      width_(width),
+      shown_(isatty(STDERR_FILENO) == 1 && !quiet()) {}
 
 // The line is overwritten by blanks: an escape sequence to clear it is not for every terminal.
 Progress::~Progress() {
-  if (drawn_) std::fprintf(stderr, "\r%*s\r", static_cast<int>(name_.size()) + 7, "");
+  if (drawn_ > 0) std::fprintf(stderr, "\r%*s\r", static_cast<int>(drawn_), "");
 }
 
 void Progress::seen(ImageView<const float> /*light*/, ImageView<const std::uint16_t> codes) {
+  advance(codes.height);
+}
+
+void Progress::advance(int rows) {
   constexpr auto kStep = std::chrono::milliseconds(200);
-  done_ += codes.height;
+  done_ += rows;
   const auto now = std::chrono::steady_clock::now();
   if (!shown_ || now - last_ < kStep) return;
   last_ = now;
-  drawn_ = true;
-  std::fprintf(stderr, "\r%s: %3d %%", name_.c_str(), static_cast<int>(100.0 * done_ / height_));
+  std::array<char, 80> text{};
+  const double part = static_cast<double>(done_) / height_;
+  int size = std::snprintf(text.data(), text.size(), "%3d %%", static_cast<int>(100 * part));
+  if (width_ > 0) {
+    const double seconds = std::chrono::duration<double>(now - first_).count();
+    const double rate = 1e-6 * done_ * width_ / seconds;
+    size = std::snprintf(text.data(), text.size(), "%3d %%, %.2f Mpixel/s, %.0f s left",
+                         static_cast<int>(100 * part), rate, std::ceil(seconds / part - seconds));
+  }
+  const std::size_t length = name_.size() + 2 + static_cast<std::size_t>(std::max(size, 0));
+  // Blanks cover what is left of a longer line.
+  const int rest = static_cast<int>(drawn_ > length ? drawn_ - length : 0);
+  std::fprintf(stderr, "\r%s: %s%*s", name_.c_str(), text.data(), rest, "");
+  drawn_ = std::max(drawn_, length);
 }
 
 }  // namespace tristim::tools

@@ -23,8 +23,8 @@ TEST_F(Render, WritesToAPipe) {
 
 TEST_F(Render, RefusesWhatItCannotDo) {
   refuses("render", 2, "render: SCENE is missing; use: tristim render SCENE -o OUT.exr [options]");
-  refuses("render sphere -o o.exr", 2, "sphere: unknown scene; did you mean spheres?");
-  refuses("render spheres", 2, "--output: is missing; give -o spheres.exr");
+  refuses("render teapod -o o.exr", 2,
+          "teapod: unknown scene; did you mean teapot? (a file of your own: ./scene.toml)");
   refuses(
       "render spheres -o o.png", 2,
       "o.png: does not end in .exr; render writes EXR, tristim process makes other formats of it");
@@ -37,6 +37,58 @@ TEST_F(Render, RefusesWhatItCannotDo) {
   }
   refuses("render spheres -o o.exr --samples 0", 2,
           "--samples: '0' is out of range; give a whole number from 1 to 1024");
+}
+
+constexpr const char* kScene = R"(
+ambient = 0.2
+[picture]
+size = [40, 30]
+[camera]
+eye = [0, 0, 5]
+[[light]]
+name = "key"
+kind = "directional"
+to_light = [1, 1, 1]
+[[material]]
+name = "paint"
+kd = 0.7
+[[object]]
+shape = "sphere"
+material = "paint"
+)";
+
+TEST_F(Render, DrawsAScene) {
+  write("s.toml", kScene);
+  good("render s.toml -o o.exr --layers beauty,diffuse,N,Z,id");
+  const auto facts = parsed(good("info o.exr --json"));
+  EXPECT_EQ(facts["width"], 40);
+  EXPECT_EQ(facts["height"], 30);
+  EXPECT_NE(facts.dump().find("diffuse.key.R"), std::string::npos);
+  EXPECT_EQ(good("render s.toml --layers beauty,diffuse,N,Z,id --threads 3"), read("o.exr"));
+  good("render s.toml -o small.exr --size 8x6 --samples 16 --filter tent --shading flat");
+  EXPECT_EQ(parsed(good("info small.exr --json"))["width"], 8);
+}
+
+TEST_F(Render, TurnsRoundTheTarget) {
+  write("s.toml", kScene);
+  good("render s.toml --frames 2-3/4 -o turn-%02d.exr");
+  EXPECT_TRUE(exists("turn-02.exr"));
+  EXPECT_TRUE(exists("turn-03.exr"));
+  EXPECT_FALSE(exists("turn-01.exr"));
+  refuses("render s.toml --frames 1-2 -o o.exr", 2,
+          "--frames: 'o.exr' names one file; write %04d for the number of the frame: "
+          "turn-%04d.exr");
+  refuses("render s.toml --frames 2-1 -o %d.exr", 2,
+          "--frames: '2-1' is no range of frames; give the first and the last: 1-24; and those of "
+          "a whole turn where they are more: 1-12/24");
+}
+
+TEST_F(Render, RefusesWhatIsNoPicture) {
+  write("s.toml", kScene);
+  refuses("render s.toml -o o.exr --samples 5", 2, "--samples: 5 is none of 1, 4, 16, 64");
+  refuses("render s.toml -o o.exr --layers N,n", 2, "--layers: n stands there twice");
+  refuses("render spheres -o o.exr --frames 1-2", 2,
+          "--frames: spheres has one picture only; give a scene file");
 }
 
 }  // namespace
