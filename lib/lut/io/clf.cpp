@@ -1,27 +1,12 @@
 #include <optional>
 
+#include "lib/lut/io/clf.h"
 #include "lib/lut/io/formats.h"
 #include "lib/lut/io/tables.h"
 #include "tristim/core/text.h"
 
 namespace tristim::detail {
 namespace {
-
-std::string xml_text(std::string_view text) {
-  std::string out;
-  for (const char c : one_line(text)) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 void open_node(std::string& text, const char* name, const char* more, const std::string& size) {
   text += std::string("  <") + name + " inBitDepth=\"32f\" outBitDepth=\"32f\"" + more +
@@ -74,19 +59,24 @@ void append(std::string& text, const Lut3D& step, bool ctf) {
 
 void append(std::string& /*text*/, const LutPoints& /*step*/, bool /*ctf*/) {}  // not held
 
-// A file has one node at least: the identity is a matrix.
 std::string write(const Lut& lut, bool ctf) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ProcessList id=\"tristim\" ";
   text += ctf ? "version=\"2.0\">\n" : "compCLFversion=\"3.0\">\n";
   if (!lut.title.empty()) text += "  <Description>" + xml_text(lut.title) + "</Description>\n";
+  return text + clf_nodes(lut, ctf) + "</ProcessList>\n";
+}
+
+}  // namespace
+
+// A file has one node at least: the identity is a matrix.
+std::string clf_nodes(const Lut& lut, bool ctf) {
+  std::string text;
   if (lut.steps.empty()) append(text, LutMatrix{}, ctf);
   for (const LutStep& step : lut.steps) {
     std::visit([&](const auto& one) { append(text, one, ctf); }, step);
   }
-  return text + "</ProcessList>\n";
+  return text;
 }
-
-}  // namespace
 
 // The Common LUT Format [CLF] and Autodesk's dialect of it, which OpenColorIO reads.
 std::string write_clf(const Lut& lut, const LutFileOptions& /*options*/) {

@@ -143,4 +143,20 @@ std::string one_line(std::string_view text) {
   return std::string(trimmed(line));
 }
 
+std::string xml_text(std::string_view text) {
+  std::string out;
+  for (const char c : one_line(text)) {
+    if (c == '<') {
+      out += "&lt;";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
 }  // namespace tristim::detail

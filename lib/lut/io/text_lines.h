@@ -69,4 +69,7 @@ void append_row(std::string& text, const float* rgb);
 /// Text of one line: control characters become blanks, '"' becomes "'".
 std::string one_line(std::string_view text);
 
+/// The same as the text of an XML element.
+std::string xml_text(std::string_view text);
+
 }  // namespace tristim::detail

@@ -1,0 +1,316 @@
+#include "tristim/lut/io/ocio_config.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include "lib/lut/io/clf.h"
+#include "lib/lut/io/text_lines.h"
+#include "tristim/color/transfer.h"
+#include "tristim/core/text.h"
+
+namespace tristim {
+namespace {
+
+constexpr const char* kReference = "Linear sRGB";
+constexpr std::size_t kStepEntries = 65536;  // about, of curves that are steps
+constexpr std::string_view kOtherPrimaries[] = {"aces-ap0", "aces-ap1", "bt2020", "display-p3"};
+
+// A transform of the config's text per line.
+using Transforms = std::vector<std::string>;
+
+// A word of YAML that may hold anything.
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return out + "\"";
+}
+
+std::string matrix(const Eigen::Matrix3d& m, const Eigen::Vector3d& offset = {0, 0, 0}) {
+  std::string text = "!<MatrixTransform> {matrix: [";
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) text += shortest(m(row, column)) + ", ";
+    text += "0, ";
+  }
+  text += "0, 0, 0, 1], offset: [";
+  for (int row = 0; row < 3; ++row) text += shortest(offset(row)) + ", ";
+  return text + "0]}";
+}
+
+// x to scale x + offset, by channel.
+std::string line(const Eigen::Vector3d& scale, const Eigen::Vector3d& offset) {
+  return matrix(scale.asDiagonal(), offset);
+}
+std::string line(double scale, double offset) {
+  return line(Eigen::Vector3d::Constant(scale), Eigen::Vector3d::Constant(offset));
+}
+
+std::string clip() {
+  return "!<RangeTransform> {min_in_value: 0, max_in_value: 1, min_out_value: 0, max_out_value: 1}";
+}
+
+std::string power(double exponent, bool inverse) {
+  return "!<ExponentTransform> {value: " + shortest(exponent) +
+         (inverse ? ", direction: inverse}" : "}");
+}
+
+std::string table(const std::string& file) {
+  return "!<FileTransform> {src: " + quoted(file) + ", interpolation: linear}";
+}
+
+// Builds what one display needs.
+class DisplayWriter {
+ public:
+  DisplayWriter(const OcioDisplay& display, OcioConfig& config)
+      : name_(display.name), display_(display.display), config_(config) {
+    if (display_.palette.empty()) black_ = light_of_codes(display_, bits(0)).front();
+  }
+
+  bool has_codes() const { return display_.palette.empty(); }
+
+  Transforms codes() {
+    Transforms steps = picture_light();
+    if (has_steps()) {
+      const auto fraction = [&](int code, std::size_t c) {
+        return code / (std::ldexp(1.0, bits(c)) - 1);
+      };
+      steps.push_back(table(write_table("codes", of_levels(fraction))));
+    } else {
+      append_response(steps);
+    }
+    return steps;
+  }
+
+  Transforms proof() {
+    Transforms steps = picture_light();
+    const Eigen::Matrix3d srgb =
+        rgb_from_rgb(Primaries{}, display_.primaries, Adaptation::kBradford);
+    if (!display_.palette.empty()) {
+      const std::vector<Rgb> light = palette_light(display_, BlackPoint::kAbsolute);
+      const auto darker = [&](const Rgb& a, const Rgb& b) { return luminance(a) < luminance(b); };
+      const Rgb black = *std::ranges::min_element(light, darker);
+      const Eigen::Vector3d low(black.r, black.g, black.b);
+      steps.push_back(line(Eigen::Vector3d::Ones() - low, low));
+    } else if (has_steps()) {
+      std::array<std::vector<double>, 3> light;
+      for (std::size_t c = 0; c < 3; ++c) light[c] = light_of_codes(display_, bits(c));
+      const auto shown = [&](std::size_t code, std::size_t c) { return light[c][code]; };
+      steps.push_back(table(write_table("light", of_levels(shown))));
+    } else {
+      steps.push_back(line(1 - black_, black_));
+    }
+    steps.push_back(matrix(srgb));
+    steps.push_back(clip());
+    steps.push_back(table(srgb_table()));
+    return steps;
+  }
+
+ private:
+  int bits(std::size_t channel) const {
+    return display_.frame.packing.bits[display_.frame.packing.samples == 1 ? 0 : channel];
+  }
+
+  double luminance(const Rgb& c) const {
+    return xyz_from_rgb(display_.primaries).row(1).dot(Eigen::Vector3d(c.r, c.g, c.b));
+  }
+
+  // Codes so few that rounding is part of what the device is.
+  bool has_steps() const {
+    return display_.levels.has_value() || bits(0) < 8 || bits(1) < 8 || bits(2) < 8;
+  }
+
+  // From the config's linear sRGB to the device's black .. white, 0 to 1.
+  Transforms picture_light() const {
+    Eigen::Matrix3d m = rgb_from_rgb(display_.primaries, Primaries{}, Adaptation::kBradford);
+    Transforms steps{matrix(m), clip()};
+    if (display_.frame.packing.samples == 1 && !display_.frame.packing.indexed) {
+      const Eigen::RowVector3d weights = xyz_from_rgb(display_.primaries).row(1);
+      steps.push_back(matrix(weights.replicate(3, 1)));
+      steps.push_back(clip());  // weights add up to 1 and a last bit
+    }
+    return steps;
+  }
+
+  // The response as formulas of OpenColorIO, whose powers end at 0 as ours do.
+  void append_response(Transforms& steps) {
+    if (std::holds_alternative<SrgbResponse>(display_.response)) {
+      steps.push_back(table(srgb_table()));
+    } else if (const auto* gamma = std::get_if<GammaResponse>(&display_.response)) {
+      const double most = std::ldexp(1.0, bits(0)) - 1;
+      if (gamma->k > 0) steps.push_back(line(1 / (gamma->k * std::pow(most, gamma->gamma)), 0));
+      steps.push_back(power(gamma->gamma, true));
+      if (gamma->k > 0) steps.push_back(clip());
+    } else if (const auto* studio = std::get_if<Bt1886Response>(&display_.response)) {
+      const double root = std::pow(studio->black, 1 / 2.4);
+      steps.push_back(line(1 - black_, black_));
+      steps.push_back(power(2.4, true));
+      steps.push_back(line(1 / (1 - root), -root / (1 - root)));
+      steps.push_back(clip());
+    } else if (std::holds_alternative<TableResponse>(display_.response)) {
+      const std::string file = name_ + "-response.clf";
+      const std::vector<float> curve = positions(bits(0));
+      config_.files.push_back(
+          {file, detail::clf_text(name_, detail::half_domain_node({curve, curve, curve}))});
+      steps.push_back(table(file));
+    }  // linear: light is the code
+  }
+
+  // sRGB is exact as a table; the library's own formula has another joint, 1e-5 off.
+  std::string srgb_table() {
+    const std::string file = "srgb-curve.clf";
+    const auto has_name = [&](const OcioConfigFile& f) { return f.name == file; };
+    if (std::ranges::none_of(config_.files, has_name)) {
+      std::vector<float> curve;
+      for (const float light : detail::positive_halfs()) {
+        curve.push_back(static_cast<float>(srgb_encode(std::min(light, 1.0F))));
+      }
+      config_.files.push_back(
+          {file, detail::clf_text("sRGB", detail::half_domain_node({curve, curve, curve}))});
+    }
+    return file;
+  }
+
+  // Where picture light lies among the levels of a channel: 0 at the first, 1 at the last, and half
+  // way where another one becomes the nearest.
+  double position(double light, int bits) const {
+    if (!display_.levels) {
+      const double most = std::ldexp(1.0, bits) - 1;
+      return code_of_light(display_.response, black_ + light * (1 - black_), most) / most;
+    }
+    const LevelTable& table = *display_.levels;
+    const LevelSpacing& spacing = table.spacing != nullptr ? *table.spacing : level_spacings()[0];
+    const auto at = [&](double i) { return spacing.position(i, table.gamma); };
+    const double low = at(table.i0);
+    return (at(table.i0 + light * (1 - table.i0)) - low) / (at(1) - low);
+  }
+
+  std::vector<float> positions(int bits) const {
+    std::vector<float> curve;
+    for (const float light : detail::positive_halfs()) {
+      curve.push_back(static_cast<float>(position(std::min(light, 1.0F), bits)));
+    }
+    return curve;
+  }
+
+  // Values of the levels as a curve of positions, many entries a level, so that the slopes between
+  // are steep.
+  static std::vector<float> steps_of(const std::vector<double>& levels, std::size_t size) {
+    const std::size_t each = (size - 1) / (levels.size() - 1);
+    std::vector<float> curve;
+    for (std::size_t i = 0; i < size; ++i) {
+      curve.push_back(static_cast<float>(levels[(i + each / 2) / each]));
+    }
+    return curve;
+  }
+
+  // A file for which value the nearest level of picture light has: positions at every half float,
+  // then steps, as many entries for each level and an odd number, so that a slope has its middle
+  // where two levels meet. OpenColorIO would make one table of two, and lose the steps: half the
+  // positions and a matrix between them keep them apart.
+  std::string write_table(const std::string& what,
+                          const std::array<std::vector<double>, 3>& levels) {
+    std::size_t intervals = 1;
+    for (const auto& channel : levels) intervals = std::lcm(intervals, channel.size() - 1);
+    const std::size_t each = std::max<std::size_t>(kStepEntries / intervals, 1) | 1;
+    std::array<std::vector<float>, 3> places;
+    std::array<std::vector<float>, 3> steps;
+    for (std::size_t c = 0; c < 3; ++c) {
+      places[c] = positions(bits(c));
+      for (float& place : places[c]) place /= 2;
+      steps[c] = steps_of(levels[c], intervals * each + 1);
+    }
+    const Lut twice{"", {LutMatrix{2 * Eigen::Matrix3d::Identity()}}};
+    const std::string file = name_ + "-" + what + ".clf";
+    config_.files.push_back(
+        {file, detail::clf_text(name_ + ", " + what, detail::half_domain_node(places) +
+                                                         detail::clf_nodes(twice, false) +
+                                                         detail::curves_node(steps))});
+    return file;
+  }
+
+  // What the levels of each channel have, by their codes.
+  template <typename Value>
+  std::array<std::vector<double>, 3> of_levels(const Value& value) const {
+    std::array<std::vector<double>, 3> levels;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const LevelScale scale = level_scale(display_, bits(c), BlackPoint::kRelative);
+      for (const std::uint16_t code : scale.nearest) levels[c].push_back(value(code, c));
+    }
+    return levels;
+  }
+
+  const std::string& name_;
+  const Display& display_;
+  OcioConfig& config_;
+  double black_ = 0;  // light of code 0
+};
+
+std::string space_text(const std::string& name, const std::string& description,
+                       const std::string& encoding, const char* direction,
+                       const Transforms& steps) {
+  std::string text = "  - !<ColorSpace>\n    name: " + quoted(name) +
+                     "\n    description: " + quoted(description) + "\n    encoding: " + encoding +
+                     "\n    isdata: false\n";
+  if (steps.empty()) return text + "\n";
+  text += std::string("    ") + direction + ": !<GroupTransform>\n      children:\n";
+  for (const std::string& step : steps) text += "        - " + step + "\n";
+  return text + "\n";
+}
+
+void check_names(std::span<const OcioDisplay> displays) {
+  if (displays.empty()) throw std::invalid_argument("ocio_config: no displays");
+  std::set<std::string> seen;
+  for (const OcioDisplay& display : displays) {
+    if (!seen.insert(display.name).second) {
+      throw std::invalid_argument("ocio_config: two displays are called " + display.name);
+    }
+  }
+}
+
+constexpr const char* kHead =
+    "ocio_profile_version: 2\n\n"
+    "description: Displays of tristim. Codes are what a frame buffer holds, divided by its highest "
+    "code; Proof is what the display shows, for an sRGB screen.\n"
+    "search_path: \".\"\nstrictparsing: true\nluma: [0.2126, 0.7152, 0.0722]\n\n"
+    "roles:\n  default: \"Linear sRGB\"\n  scene_linear: \"Linear sRGB\"\n"
+    "  rendering: \"Linear sRGB\"\n  data: Raw\n\n"
+    "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n\n";
+
+}  // namespace
+
+OcioConfig ocio_config(std::span<const OcioDisplay> displays) {
+  check_names(displays);
+  OcioConfig config;
+  std::string shown = "displays:\n";
+  std::string spaces = "colorspaces:\n";
+  spaces += space_text(kReference, "light of the primaries of sRGB", "scene-linear", "", {});
+  spaces += "  - !<ColorSpace>\n    name: Raw\n    isdata: true\n\n";
+  for (const NamedPrimaries& named : primaries_list()) {
+    if (std::ranges::find(kOtherPrimaries, named.name) == std::end(kOtherPrimaries)) continue;
+    spaces +=
+        space_text("Linear " + std::string(named.name), "light of these primaries", "scene-linear",
+                   "to_scene_reference",
+                   {matrix(rgb_from_rgb(Primaries{}, named.primaries, Adaptation::kBradford))});
+  }
+  for (const OcioDisplay& display : displays) {
+    DisplayWriter writer(display, config);
+    shown += "  " + quoted(display.name) + ":\n";
+    const auto add = [&](const char* view, const Transforms& steps) {
+      const std::string space = display.name + " " + view;
+      shown +=
+          std::string("    - !<View> {name: ") + view + ", colorspace: " + quoted(space) + "}\n";
+      spaces += space_text(space, display.display.name, "sdr-video", "from_scene_reference", steps);
+    };
+    if (writer.has_codes()) add("Codes", writer.codes());
+    add("Proof", writer.proof());
+  }
+  config.text = kHead + shown + "\nactive_displays: []\nactive_views: []\n\n" + spaces;
+  return config;
+}
+
+}  // namespace tristim
