@@ -80,10 +80,10 @@ std::optional<Lut> shaper_and_cube(const Lut& lut, const LutCapacity& capacity,
   if (shaper == nullptr || (capacity.grey && !detail::equal_channels(*shaper))) return {};
   const Lut first{"", {*shaper}};
   const Lut rest{"", {lut.steps.begin() + 1, lut.steps.end()}};
-  const int size = sizes.curves > 0 ? sizes.curves : shaper->size;
+  const int size = sizes.shaper > 0 ? sizes.shaper : shaper->size;
   Lut fitted{lut.title, {}};
   fitted.steps.emplace_back(sampled_curves(first, range_of(first, capacity.first), size));
-  fitted.steps.emplace_back(sampled_cube(rest, range_of(rest, capacity.second), sizes.cube));
+  fitted.steps.emplace_back(sampled_cube(rest, range_of(rest, capacity.second), sizes.table));
   return fitted;
 }
 
@@ -92,22 +92,25 @@ std::optional<Lut> shaper_and_cube(const Lut& lut, const LutCapacity& capacity,
 Lut fit_lut(const Lut& lut, const LutFormat& format, const LutFitSizes& sizes,
             const std::string& path) {
   const LutCapacity& capacity = format.holds;
-  if (capacity.curves > 0 && sizes.curves > 0 && is_by_channel(lut)) {
-    Lut fitted{lut.title, {sampled_curves(lut, range_of(lut, capacity.alone), sizes.curves)}};
-    if (holds(format, fitted)) return fitted;
-  } else if (capacity.cube > 0 && sizes.cube > 0) {
-    if (auto fitted = shaper_and_cube(lut, capacity, sizes); fitted && holds(format, *fitted)) {
-      return *fitted;
-    }
-    Lut fitted{lut.title, {sampled_cube(lut, range_of(lut, capacity.alone), sizes.cube)}};
-    if (holds(format, fitted)) return fitted;
+  const bool by_channel = is_by_channel(lut);
+  Lut fitted{lut.title, {}};
+  if (by_channel && capacity.curves > 0) {
+    fitted.steps.emplace_back(sampled_curves(lut, range_of(lut, capacity.alone), sizes.table));
+  } else if (auto two = shaper_and_cube(lut, capacity, sizes)) {
+    fitted = *two;
+  } else if (capacity.cube > 0) {
+    fitted.steps.emplace_back(sampled_cube(lut, range_of(lut, capacity.alone), sizes.table));
+  } else {
+    throw Error(ErrorKind::kMisuse, path,
+                "format " + std::string(format.name) +
+                    " has curves alone, and channels of the table depend on others",
+                "use a format that has cubes");
   }
-  const bool cubes_alone = capacity.curves > 0 && capacity.cube == 0 && !is_by_channel(lut);
+  if (holds(format, fitted)) return fitted;
   throw Error(ErrorKind::kMisuse, path,
-              cubes_alone ? "format " + std::string(format.name) +
-                                " has curves alone, and channels of the table depend on others"
-                          : "format " + std::string(format.name) + " does not hold the table",
-              cubes_alone ? "use a format that has cubes" : "it holds " + describe(capacity));
+              "format " + std::string(format.name) + " does not hold a table of size " +
+                  std::to_string(sizes.table),
+              "it holds " + describe(capacity));
 }
 
 }  // namespace tristim

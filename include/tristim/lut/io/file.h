@@ -94,8 +94,8 @@ std::string lut_bytes(const Lut& lut, const LutFormat& format, const std::string
 
 /// Sizes to sample a table with.
 struct LutFitSizes {
-  int curves = 0;  // entries; 0: makes no curves, and keeps those of a shaper
-  int cube = 0;    // points of an edge; 0: makes no cube
+  int table = 0;   // entries of curves, points of a cube's edge
+  int shaper = 0;  // entries of curves in front of a cube; 0: as many as the table's own
 };
 
 /// A table sampled anew so that the format holds it: as curves where each channel depends on itself
