@@ -164,5 +164,42 @@ TEST(LutFormats, TextsOfOthers) {
   EXPECT_EQ(evaluate(two, {1, 0.5, 1}), (Rgb{0.5, 0.75, 0}));
 }
 
+// What the Common LUT Format has besides tables: ranges that clamp or do not, half floats as index.
+TEST(LutFormats, ClfOfOthers) {
+  const auto clf = [](const std::string& nodes) {
+    return parse_lut("<?xml version=\"1.0\"?><ProcessList id=\"a\" compCLFversion=\"3.0\">\n" +
+                         nodes + "\n</ProcessList>\n",
+                     "x.clf");
+  };
+  const std::string depths = " inBitDepth=\"32f\" outBitDepth=\"32f\"";
+  const std::string ends =
+      "<minInValue>0.25</minInValue><maxInValue>0.75</maxInValue><minOutValue>0</minOutValue>"
+      "<maxOutValue>2</maxOutValue></Range>";
+  const Lut clamped = clf("<Range" + depths + ">" + ends);
+  EXPECT_EQ(evaluate(clamped, {0, 0.5, 1}), (Rgb{0, 1, 2}));
+  const Lut free = clf("<Range" + depths + " style=\"noClamp\">" + ends);
+  EXPECT_EQ(evaluate(free, {0, 0.5, 1}), (Rgb{-1, 1, 3}));
+  const Lut floor = clf("<Range" + depths +
+                        "><minInValue>0.5</minInValue><minOutValue>0.5</minOutValue></Range>");
+  const Rgb out = evaluate(floor, {0.25, 0.75, 1000});
+  EXPECT_EQ(out.r, 0.5);
+  EXPECT_NEAR(out.g, 0.75, 1e-6);
+  EXPECT_NEAR(out.b, 1000, 1e-3);
+
+  std::string table = "<LUT1D" + depths + " halfDomain=\"true\"><Array dim=\"65536 1\">";
+  for (int i = 0; i < 65536; ++i)
+    table += i < 0x7c00 ? " 0.5" : i > 0x8000 && i < 0xfc00 ? " -2" : " 0";
+  const Lut halfs = clf(table + "</Array></LUT1D>");
+  ASSERT_TRUE(std::holds_alternative<LutPoints>(halfs.steps[0]));
+  const LutCurve& curve = std::get<LutPoints>(halfs.steps[0]).curves[0];
+  EXPECT_EQ(curve.in.front(), -65504);
+  EXPECT_EQ(curve.in.back(), 65504);
+  EXPECT_EQ(evaluate(halfs, {-1, 1, 1e6}), (Rgb{-2, 0.5, 0.5}));
+
+  EXPECT_EQ(error_text([&] { clf("<Log" + depths + " style=\"log2\"></Log>"); }),
+            "3 x.clf: has a step that is no table, matrix or range; bake it: make it a view of a "
+            "config, and tristim lut bake --ocio");
+}
+
 }  // namespace
 }  // namespace tristim
