@@ -212,14 +212,14 @@ Lut parse_lut(std::string_view bytes, const std::string& file, std::string_view 
   if (bytes.empty()) throw Error(ErrorKind::kContent, file, "is empty", "write or copy it again");
   const LutFormat& known = format.empty() ? format_of_bytes(bytes, file) : format_named(format);
   check_options(known, options);
-  Lut lut = known.read(bytes, file, options);
   try {
+    Lut lut = known.read(bytes, file, options);
     check(lut);
+    return lut;
   } catch (const std::invalid_argument& error) {
     const std::string_view text = error.what();
     throw Error(ErrorKind::kContent, file, text.substr(text.find(": ") + 2));
   }
-  return lut;
 }
 
 Lut read_lut(const std::string& path, std::string_view format, const LutFileOptions& options) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lib/lut/io/clf.h"
+#include "lib/lut/io/ocio_text.h"
 #include "lib/lut/io/text_lines.h"
 #include "tristim/color/transfer.h"
 #include "tristim/core/text.h"
@@ -14,55 +15,18 @@
 namespace tristim {
 namespace {
 
+using detail::ocio_clip;
+using detail::ocio_line;
+using detail::ocio_matrix;
+using detail::ocio_power;
+using detail::ocio_table;
+using detail::yaml_text;
+
 constexpr const char* kReference = "Linear sRGB";
 constexpr std::size_t kStepEntries = 65536;  // about, of curves that are steps
 constexpr std::string_view kOtherPrimaries[] = {"aces-ap0", "aces-ap1", "bt2020", "display-p3"};
 
-// A transform of the config's text per line.
-using Transforms = std::vector<std::string>;
-
-// A word of YAML that may hold anything.
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return out + "\"";
-}
-
-std::string matrix(const Eigen::Matrix3d& m, const Eigen::Vector3d& offset = {0, 0, 0}) {
-  std::string text = "!<MatrixTransform> {matrix: [";
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) text += shortest(m(row, column)) + ", ";
-    text += "0, ";
-  }
-  text += "0, 0, 0, 1], offset: [";
-  for (int row = 0; row < 3; ++row) text += shortest(offset(row)) + ", ";
-  return text + "0]}";
-}
-
-// x to scale x + offset, by channel.
-std::string line(const Eigen::Vector3d& scale, const Eigen::Vector3d& offset) {
-  return matrix(scale.asDiagonal(), offset);
-}
-std::string line(double scale, double offset) {
-  return line(Eigen::Vector3d::Constant(scale), Eigen::Vector3d::Constant(offset));
-}
-
-std::string clip() {
-  return "!<RangeTransform> {min_in_value: 0, max_in_value: 1, min_out_value: 0, max_out_value: 1}";
-}
-
-std::string power(double exponent, bool inverse) {
-  return "!<ExponentTransform> {value: " + shortest(exponent) +
-         (inverse ? ", direction: inverse}" : "}");
-}
-
-std::string table(const std::string& file) {
-  return "!<FileTransform> {src: " + quoted(file) + ", interpolation: linear}";
-}
-
+using Transforms = std::vector<std::string>;  // as ocio_text.h writes them
 // Builds what one display needs.
 class DisplayWriter {
  public:
@@ -79,7 +43,7 @@ class DisplayWriter {
       const auto fraction = [&](int code, std::size_t c) {
         return code / (std::ldexp(1.0, bits(c)) - 1);
       };
-      steps.push_back(table(write_table("codes", of_levels(fraction))));
+      steps.push_back(ocio_table(write_table("codes", of_levels(fraction))));
     } else {
       append_response(steps);
     }
@@ -95,18 +59,18 @@ class DisplayWriter {
       const auto darker = [&](const Rgb& a, const Rgb& b) { return luminance(a) < luminance(b); };
       const Rgb black = *std::ranges::min_element(light, darker);
       const Eigen::Vector3d low(black.r, black.g, black.b);
-      steps.push_back(line(Eigen::Vector3d::Ones() - low, low));
+      steps.push_back(ocio_line(Eigen::Vector3d::Ones() - low, low));
     } else if (has_steps()) {
       std::array<std::vector<double>, 3> light;
       for (std::size_t c = 0; c < 3; ++c) light[c] = light_of_codes(display_, bits(c));
       const auto shown = [&](std::size_t code, std::size_t c) { return light[c][code]; };
-      steps.push_back(table(write_table("light", of_levels(shown))));
+      steps.push_back(ocio_table(write_table("light", of_levels(shown))));
     } else {
-      steps.push_back(line(1 - black_, black_));
+      steps.push_back(ocio_line(1 - black_, black_));
     }
-    steps.push_back(matrix(srgb));
-    steps.push_back(clip());
-    steps.push_back(table(srgb_table()));
+    steps.push_back(ocio_matrix(srgb));
+    steps.push_back(ocio_clip());
+    steps.push_back(ocio_table(srgb_table()));
     return steps;
   }
 
@@ -127,11 +91,11 @@ class DisplayWriter {
   // From the config's linear sRGB to the device's black .. white, 0 to 1.
   Transforms picture_light() const {
     Eigen::Matrix3d m = rgb_from_rgb(display_.primaries, Primaries{}, Adaptation::kBradford);
-    Transforms steps{matrix(m), clip()};
+    Transforms steps{ocio_matrix(m), ocio_clip()};
     if (display_.frame.packing.samples == 1 && !display_.frame.packing.indexed) {
       const Eigen::RowVector3d weights = xyz_from_rgb(display_.primaries).row(1);
-      steps.push_back(matrix(weights.replicate(3, 1)));
-      steps.push_back(clip());  // weights add up to 1 and a last bit
+      steps.push_back(ocio_matrix(weights.replicate(3, 1)));
+      steps.push_back(ocio_clip());  // weights add up to 1 and a last bit
     }
     return steps;
   }
@@ -139,24 +103,25 @@ class DisplayWriter {
   // The response as formulas of OpenColorIO, whose powers end at 0 as ours do.
   void append_response(Transforms& steps) {
     if (std::holds_alternative<SrgbResponse>(display_.response)) {
-      steps.push_back(table(srgb_table()));
+      steps.push_back(ocio_table(srgb_table()));
     } else if (const auto* gamma = std::get_if<GammaResponse>(&display_.response)) {
       const double most = std::ldexp(1.0, bits(0)) - 1;
-      if (gamma->k > 0) steps.push_back(line(1 / (gamma->k * std::pow(most, gamma->gamma)), 0));
-      steps.push_back(power(gamma->gamma, true));
-      if (gamma->k > 0) steps.push_back(clip());
+      if (gamma->k > 0)
+        steps.push_back(ocio_line(1 / (gamma->k * std::pow(most, gamma->gamma)), 0));
+      steps.push_back(ocio_power(gamma->gamma, true));
+      if (gamma->k > 0) steps.push_back(ocio_clip());
     } else if (const auto* studio = std::get_if<Bt1886Response>(&display_.response)) {
       const double root = std::pow(studio->black, 1 / 2.4);
-      steps.push_back(line(1 - black_, black_));
-      steps.push_back(power(2.4, true));
-      steps.push_back(line(1 / (1 - root), -root / (1 - root)));
-      steps.push_back(clip());
+      steps.push_back(ocio_line(1 - black_, black_));
+      steps.push_back(ocio_power(2.4, true));
+      steps.push_back(ocio_line(1 / (1 - root), -root / (1 - root)));
+      steps.push_back(ocio_clip());
     } else if (std::holds_alternative<TableResponse>(display_.response)) {
       const std::string file = name_ + "-response.clf";
       const std::vector<float> curve = positions(bits(0));
       config_.files.push_back(
           {file, detail::clf_text(name_, detail::half_domain_node({curve, curve, curve}))});
-      steps.push_back(table(file));
+      steps.push_back(ocio_table(file));
     }  // linear: light is the code
   }
 
@@ -253,9 +218,9 @@ class DisplayWriter {
 std::string space_text(const std::string& name, const std::string& description,
                        const std::string& encoding, const char* direction,
                        const Transforms& steps) {
-  std::string text = "  - !<ColorSpace>\n    name: " + quoted(name) +
-                     "\n    description: " + quoted(description) + "\n    encoding: " + encoding +
-                     "\n    isdata: false\n";
+  std::string text = "  - !<ColorSpace>\n    name: " + yaml_text(name) +
+                     "\n    description: " + yaml_text(description) +
+                     "\n    encoding: " + encoding + "\n    isdata: false\n";
   if (steps.empty()) return text + "\n";
   text += std::string("    ") + direction + ": !<GroupTransform>\n      children:\n";
   for (const std::string& step : steps) text += "        - " + step + "\n";
@@ -292,18 +257,18 @@ OcioConfig ocio_config(std::span<const OcioDisplay> displays) {
   spaces += "  - !<ColorSpace>\n    name: Raw\n    isdata: true\n\n";
   for (const NamedPrimaries& named : primaries_list()) {
     if (std::ranges::find(kOtherPrimaries, named.name) == std::end(kOtherPrimaries)) continue;
-    spaces +=
-        space_text("Linear " + std::string(named.name), "light of these primaries", "scene-linear",
-                   "to_scene_reference",
-                   {matrix(rgb_from_rgb(Primaries{}, named.primaries, Adaptation::kBradford))});
+    spaces += space_text(
+        "Linear " + std::string(named.name), "light of these primaries", "scene-linear",
+        "to_scene_reference",
+        {ocio_matrix(rgb_from_rgb(Primaries{}, named.primaries, Adaptation::kBradford))});
   }
   for (const OcioDisplay& display : displays) {
     DisplayWriter writer(display, config);
-    shown += "  " + quoted(display.name) + ":\n";
+    shown += "  " + yaml_text(display.name) + ":\n";
     const auto add = [&](const char* view, const Transforms& steps) {
       const std::string space = display.name + " " + view;
       shown +=
-          std::string("    - !<View> {name: ") + view + ", colorspace: " + quoted(space) + "}\n";
+          std::string("    - !<View> {name: ") + view + ", colorspace: " + yaml_text(space) + "}\n";
       spaces += space_text(space, display.display.name, "sdr-video", "from_scene_reference", steps);
     };
     if (writer.has_codes()) add("Codes", writer.codes());

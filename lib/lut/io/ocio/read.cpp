@@ -1,9 +1,7 @@
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 #include <string>
 
+#include "lib/lut/io/clf.h"
 #include "lib/lut/io/ocio/library.h"
 #include "lib/lut/io/ocio_module.h"
 #include "tristim/core/error.h"
@@ -54,17 +52,17 @@ class StepReader {
     lut_.steps.emplace_back(std::move(curves));
   }
 
-  // The entries of finite half floats, ascending: the negative ones lie behind and turned about.
+  // The entries of finite half floats, ascending: those of negative ones lie behind the positive
+  // ones and turned about.
   void read_half_curves(const ocio::Lut1DTransform& transform) {
     LutPoints points;
     for (int half = -kLastHalf; half <= kLastHalf; ++half) {
-      const unsigned index =
-          half < 0 ? 0x8000U + static_cast<unsigned>(-half) : static_cast<unsigned>(half);
+      const unsigned bits =
+          half < 0 ? 0x8000U - static_cast<unsigned>(half) : static_cast<unsigned>(half);
       float rgb[3];
-      transform.getValue(index, rgb[0], rgb[1], rgb[2]);
+      transform.getValue(bits, rgb[0], rgb[1], rgb[2]);
       for (std::size_t c = 0; c < 3; ++c) {
-        points.curves[c].in.push_back(
-            std::copysign(half_value(std::abs(half)), static_cast<float>(half)));
+        points.curves[c].in.push_back(half_value(bits));
         points.curves[c].out.push_back(rgb[c]);
       }
     }
@@ -72,13 +70,6 @@ class StepReader {
   }
 
   static constexpr int kLastHalf = 0x7bff;  // 65504
-
-  static float half_value(int bits) {
-    const int exponent = bits >> 10;
-    const int fraction = bits & 0x3ff;
-    return exponent == 0 ? std::ldexp(static_cast<float>(fraction), -24)
-                         : std::ldexp(static_cast<float>(1024 + fraction), exponent - 25);
-  }
 
   void read_cube(const ocio::Lut3DTransform& transform) {
     Lut3D cube{{}, static_cast<int>(transform.getGridSize()), {}};
