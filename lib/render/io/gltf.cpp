@@ -30,6 +30,7 @@ class GltfParser {
 
   ModelFile parse(std::string_view bytes) {
     load(bytes);
+    result_.unit_m = 1;
     result_.materials.push_back({.name = "default", .surface = detail::kDefaultSurface});
     for (const tinygltf::Material& material : gltf_.materials) add_material(material);
     for (const tinygltf::Mesh& mesh : gltf_.meshes) add_mesh(mesh);

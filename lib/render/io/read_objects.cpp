@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lib/core/trigonometry.h"
+#include "lib/light/product.h"
 #include "lib/render/io/read_scene.h"
 #include "tristim/core/error.h"
 #include "tristim/core/text.h"
@@ -132,6 +133,32 @@ ModelFile read_models(const TomlTable& table, const SceneContext& context) {
   }
 }
 
+// A camera of a file, moved with it; its near and far plane by the scale along its view.
+Camera moved_camera(Camera camera, const Matrix4d& world_from_file) {
+  const Vector3d view = camera.target - camera.eye;
+  camera.eye = moved(world_from_file, camera.eye);
+  camera.target = moved(world_from_file, camera.target);
+  camera.up = world_from_file.topLeftCorner<3, 3>() * camera.up;
+  const double scale = length(camera.target - camera.eye) / length(view);
+  camera.near *= scale;
+  camera.far *= scale;
+  camera.height *= scale;
+  return camera;
+}
+
+// Brings the lengths of a file to the scene's unit. The light of a place falls with the square of
+// the distance, which is counted in the new unit.
+void change_unit(ModelFile& models, PlacedFile& placed, double factor) {
+  placed.world_from_file.topLeftCorner<3, 3>() *= factor;
+  for (SceneLight& light : models.lights) {
+    if (auto* point = std::get_if<PointLight>(&light.source)) {
+      point->intensity = product(factor * factor, point->intensity);
+    } else if (auto* spot = std::get_if<SpotLight>(&light.source)) {
+      spot->intensity = product(factor * factor, spot->intensity);
+    }
+  }
+}
+
 void read_object(const TomlTable& table, const SceneContext& context, SceneFile& file,
                  std::optional<Camera>& camera) {
   if (table.has("file") == table.has("shape")) {
@@ -145,8 +172,10 @@ void read_object(const TomlTable& table, const SceneContext& context, SceneFile&
   ModelFile models;
   if (table.has("file")) {
     models = read_models(table, context);
+    if (models.unit_m && context.unit_m)
+      change_unit(models, placed, *models.unit_m / *context.unit_m);
     placed.lights = table.boolean("lights").value_or(true);
-    if (models.camera && !camera) camera = models.camera;
+    if (models.camera && !camera) camera = moved_camera(*models.camera, placed.world_from_file);
   } else {
     models.models.push_back(read_shape(table));
     models.placed.push_back({});

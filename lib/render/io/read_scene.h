@@ -22,7 +22,8 @@ struct SceneColor {
 /// What spectra are seen under, and where files are.
 struct SceneContext {
   std::string directory;
-  SpectralColor white;  // what has Y = 1
+  SpectralColor white;                // what has Y = 1
+  std::optional<double> unit_m = {};  // the scene's unit of lengths in metres, where it says so
 };
 
 /// A path that a file names: relative to the file's directory unless it begins with a slash.

@@ -1,6 +1,7 @@
 #include "tristim/render/io/scene_file.h"
 
 #include <algorithm>
+#include <array>
 
 #include "lib/core/embedded.h"
 #include "lib/render/io/read_scene.h"
@@ -29,6 +30,19 @@ SpectralColor read_white(const TomlTable& root, Scene& scene) {
   } catch (const Error&) {
     root.fail("white", "unknown illuminant '" + *name + "'", name_hint(illuminants(), *name));
   }
+}
+
+struct LengthUnit {
+  std::string_view name;
+  double metres;
+};
+constexpr std::array kLengthUnits{LengthUnit{"m", 1},       LengthUnit{"cm", 0.01},
+                                  LengthUnit{"mm", 0.001},  LengthUnit{"km", 1000},
+                                  LengthUnit{"in", 0.0254}, LengthUnit{"ft", 0.3048}};
+
+std::optional<double> read_unit(const TomlTable& root) {
+  if (!root.has("units")) return std::nullopt;
+  return detail::choice(root, "units", kLengthUnits, kLengthUnits[0]).metres;
 }
 
 bool shines(const Scene& scene) {
@@ -105,7 +119,7 @@ SceneFile parse_scene(std::string_view text, const std::string& file,
   Scene& scene = read.scene;
   read.name = root.string("name").value_or(file);
   (void)root.string("source");
-  const SceneContext context{directory, read_white(root, scene)};
+  const SceneContext context{directory, read_white(root, scene), read_unit(root)};
   const detail::SceneColor ambient = detail::read_color(root, "ambient", context, {0, 0, 0});
   scene.ambient = ambient.rgb;
   scene.ambient_spectrum = ambient.spectrum;

@@ -26,6 +26,7 @@ struct ModelFile {
   std::vector<SceneMaterial> materials = {};
   std::vector<SceneLight> lights = {};  // glTF: KHR_lights_punctual
   std::optional<Camera> camera = {};    // glTF: the first one that a node has
+  std::optional<double> unit_m = {};    // the unit of lengths in metres, where the format has one
   std::vector<std::string> notes = {};  // what was left out, for people: "<file>: ..."
 };
 
