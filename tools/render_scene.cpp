@@ -39,22 +39,9 @@ void apply(const RenderSceneOptions& options, PictureSettings& picture) {
   picture.affine = picture.affine || options.affine;
 }
 
-bool is_black(const Rgb& color) { return color == Rgb{}; }
-
 // What a user might wonder about.
-void tell(const RenderSceneOptions& options, const SceneRenderer& renderer,
-          const std::vector<std::string>& notes) {
+void tell(const RenderSceneOptions& options, const std::vector<std::string>& notes) {
   for (const std::string& text : notes) note(options.scene + ": " + text);
-  const Scene& scene = renderer.scene();
-  const RenderReport& report = renderer.report();
-  if (scene.lights.empty() && is_black(scene.ambient) && !scene.ambient_spectrum) {
-    note(options.scene + ": no lights: what they would light is black");
-  }
-  if (scene.objects.empty()) note(options.scene + ": no objects: the picture is empty");
-  if (report.degenerate > 0) {
-    note(options.scene + ": " + std::to_string(report.degenerate) + " of " +
-         std::to_string(report.triangles) + " triangles have no area and are left out");
-  }
 }
 
 SceneRenderer renderer_of(const RenderSceneOptions& options, SceneFile& file) {
@@ -146,7 +133,7 @@ void render_scene_file(const RenderSceneOptions& options) {
   SceneFile file = load_scene(options.scene);
   apply(options, file.scene.picture);
   const SceneRenderer renderer = renderer_of(options, file);
-  tell(options, renderer, file.notes);
+  tell(options, file.notes);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const int frame = range.first + static_cast<int>(i);
     render_frame(options, renderer, orbit(renderer.scene().camera, frame, range.turn), outputs[i]);
