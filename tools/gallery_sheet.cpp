@@ -58,11 +58,11 @@ void draw(const GalleryCell& cell, ImageView<std::uint16_t> sheet, int left, int
 
 }  // namespace
 
-Raster<std::uint16_t> gallery_sheet(const std::vector<GalleryCell>& cells) {
+Raster<std::uint16_t> gallery_sheet(const std::vector<GalleryCell>& cells, int columns) {
   const CellSize size = size_of(cells);
   const auto count = static_cast<int>(cells.size());
   const double ideal = std::sqrt(kShape * count * size.height / size.width);
-  const int columns = std::clamp(static_cast<int>(std::lround(ideal)), 1, count);
+  if (columns == 0) columns = std::clamp(static_cast<int>(std::lround(ideal)), 1, count);
   const int rows = (count + columns - 1) / columns;
   Raster<std::uint16_t> sheet(columns * size.width + kMargin, rows * size.height + kMargin, 3);
   for (int y = 0; y < sheet.view().height; ++y) {

@@ -16,8 +16,8 @@ struct GalleryCell {
   Image ramp;     // of the same width
 };
 
-/// All cells, of one size, on white: codes of sRGB, 8 bits. The sheet is about as wide as a screen
-/// of 16:10.
-Raster<std::uint16_t> gallery_sheet(const std::vector<GalleryCell>& cells);
+/// All cells, of one size, on white: codes of sRGB, 8 bits. Without a number of columns the sheet
+/// is about as wide as a screen of 16:10.
+Raster<std::uint16_t> gallery_sheet(const std::vector<GalleryCell>& cells, int columns = 0);
 
 }  // namespace tristim::tools

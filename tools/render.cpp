@@ -2,6 +2,7 @@
 
 #include "tools/commands.h"
 #include "tools/outputs.h"
+#include "tools/render_gallery.h"
 #include "tools/render_scene.h"
 #include "tristim/core/error.h"
 #include "tristim/core/find.h"
@@ -19,6 +20,7 @@ constexpr std::string_view kExamples =
     "  tristim render model.obj --size 1024x1024 --samples 16 --filter gaussian -o model.exr\n"
     "  tristim render scene.toml --frames 1-24 -o turn-%04d.exr\n"
     "  tristim render scene.toml | tristim process - --device epaper-4grey -o panel.png\n"
+    "  tristim render --gallery -o gallery\n"
     "  tristim render spheres --size 320x180 --samples 4 -o small.exr\n";
 
 constexpr std::string_view kSpheres = "spheres";
@@ -78,6 +80,16 @@ std::string scene_names() {
   return names;
 }
 
+void render_the_gallery(const std::vector<std::string>& scenes, const RenderSceneOptions& options) {
+  if (!scenes.empty()) {
+    throw Error(ErrorKind::kMisuse, "--gallery", "draws scenes of its own", "leave out SCENE");
+  }
+  if (options.output == "-") {
+    throw Error(ErrorKind::kMisuse, "--output", "is missing", "give a directory: -o gallery");
+  }
+  render_gallery(options.output, options.render.threads, options.force);
+}
+
 void check_samples(const RenderSceneOptions& options) {
   const int samples = options.samples.value_or(1);
   if (samples == 1 || samples == 4 || samples == 16 || samples == 64) return;
@@ -123,7 +135,7 @@ void run_render(Arguments arguments) {
   options.output = "-";
   CommandLine line(*find_by_name(kCommands, "render"), kExamples);
   line.positional("SCENE", "a file: TOML (docs/scenes.md), OBJ, glTF; or one of " + scene_names(),
-                  scenes, 1, 1);
+                  scenes, 0, 1);
   line.option("-o,--output", "OUT.exr", "linear light; default: -, standard output",
               options.output);
   line.option("--threads", "N", "default: one for each processor; the result is the same",
@@ -131,9 +143,17 @@ void run_render(Arguments arguments) {
                 options.render.threads = integer_option("--threads", v, 0, 256);
               });
   line.flag("-f,--force", "replace existing files", options.force);
+  bool gallery = false;
+  line.flag("--gallery", "no SCENE: the scenes of the lectures, a PNG and an EXR each, into -o DIR",
+            gallery);
   declare_picture(line, options);
   declare_file(line, options);
   if (!line.parse(arguments)) return;
+  if (gallery) return render_the_gallery(scenes, options);
+  if (scenes.empty()) {
+    throw Error(ErrorKind::kMisuse, "render", "SCENE is missing",
+                "give a file, or one of " + scene_names());
+  }
   options.scene = scenes[0];
   check_output(options.output);
   if (same_name(options.scene, kSpheres)) return render_the_spheres(options);
