@@ -152,7 +152,7 @@ void run_render(Arguments arguments) {
   if (gallery) return render_the_gallery(scenes, options);
   if (scenes.empty()) {
     throw Error(ErrorKind::kMisuse, "render", "SCENE is missing",
-                "give a file, or one of " + scene_names());
+                "use: tristim render SCENE -o OUT.exr, or --gallery");
   }
   options.scene = scenes[0];
   check_output(options.output);

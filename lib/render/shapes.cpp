@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeast = 1e-6;
 constexpr double kMost = 1e6;
-constexpr double kMostSteps = 4096;
+constexpr double kMostSteps = 2048;
 
 constexpr ShapeParameter length(std::string_view name, double preset) {
   return {name, preset, kLeast, kMost};

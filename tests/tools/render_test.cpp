@@ -22,7 +22,8 @@ TEST_F(Render, WritesToAPipe) {
 }
 
 TEST_F(Render, RefusesWhatItCannotDo) {
-  refuses("render", 2, "render: SCENE is missing; use: tristim render SCENE -o OUT.exr [options]");
+  refuses("render", 2,
+          "render: SCENE is missing; use: tristim render SCENE -o OUT.exr, or --gallery");
   refuses("render teapod -o o.exr", 2,
           "teapod: unknown scene; did you mean teapot? (a file of your own: ./scene.toml)");
   refuses(
@@ -89,6 +90,34 @@ TEST_F(Render, RefusesWhatIsNoPicture) {
   refuses("render s.toml -o o.exr --layers N,n", 2, "--layers: n stands there twice");
   refuses("render spheres -o o.exr --frames 1-2", 2,
           "--frames: spheres has one picture only; give a scene file");
+}
+
+TEST_F(Render, DrawsTheGallery) {
+  good("render --gallery -o new/folder");
+  for (const char* name : {"lights", "shading", "phong-grid", "phong-terms", "transparency",
+                           "gooch", "silhouettes", "normals", "smoothing", "corrugation",
+                           "mach-bands", "perspective", "orientation", "t-junction"}) {
+    SCOPED_TRACE(name);
+    const std::string file = std::string("new/folder/") + name;
+    EXPECT_GT(parsed(good("info " + file + ".png --json"))["width"], 300);
+    EXPECT_GT(parsed(good("info " + file + ".exr --json"))["width"], 300);
+  }
+  refuses("render --gallery -o new/folder", 1,
+          "new/folder/lights.exr: exists already; give --force to replace it");
+  refuses("render --gallery", 2, "--output: is missing; give a directory: -o gallery");
+  refuses("render teapot --gallery -o g", 2, "--gallery: draws scenes of its own; leave out SCENE");
+}
+
+TEST_F(Render, TellsWhatIsOddAboutAScene) {
+  write("empty.toml", "");
+  EXPECT_EQ(run("render empty.toml -o empty.exr").err,
+            "tristim: empty.toml: there is nothing to see: add an [[object]]\n"
+            "tristim: empty.toml: there is no light: the picture is black; add a [[light]] or "
+            "ambient\n");
+  write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  refuses("render bad.obj -o bad.exr", 3,
+          "bad.obj:4: the face names vertex 9 of 3; define it before the face");
+  refuses("render gone.glb -o gone.exr", 1, "gone.glb: there is no such file; check the name");
 }
 
 }  // namespace
