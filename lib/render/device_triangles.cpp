@@ -30,17 +30,6 @@ FixedPoint fixed(const FixedGrid& grid, const DevicePoint& p) noexcept {
   return {fixed(p.x / p.w, grid.bits), fixed(p.y / p.w, grid.bits)};
 }
 
-double nearness(const View& view, const DevicePoint& p) noexcept {
-  return view.orthographic ? -p.distance : 1 / p.w;
-}
-
-// Twice the area in steps squared, above 0 where the corners run counter-clockwise for somebody who
-// sees y upwards.
-std::int64_t twice_area(const FixedPoint& a, const FixedPoint& b, const FixedPoint& c) noexcept {
-  const auto difference = [](std::int32_t p, std::int32_t q) { return std::int64_t{p} - q; };
-  return difference(c.x, a.x) * difference(b.y, a.y) - difference(b.x, a.x) * difference(c.y, a.y);
-}
-
 // What the pieces of a triangle have of it.
 struct Source {
   std::uint32_t triangle;
@@ -63,7 +52,8 @@ void add_triangle(const View& view, const Corner& a, const Corner& b, const Corn
   drawn.back = area < 0;
   // Inside of the edges is on their left with y upwards, on their right with y downwards.
   drawn.at = {a.at, b.at, c.at};
-  drawn.nearness = {nearness(view, a.point), nearness(view, b.point), nearness(view, c.point)};
+  drawn.nearness = {nearness_of(view, a.point), nearness_of(view, b.point),
+                    nearness_of(view, c.point)};
   if (drawn.back) {
     std::swap(drawn.at[1], drawn.at[2]);
     std::swap(drawn.nearness[1], drawn.nearness[2]);

@@ -34,6 +34,19 @@ struct FixedGrid {
 
 FixedGrid fixed_grid(int width, int height) noexcept;
 
+/// Twice the area in steps squared, above 0 where the corners run counter-clockwise for somebody
+/// who sees y upwards.
+inline std::int64_t twice_area(const FixedPoint& a, const FixedPoint& b,
+                               const FixedPoint& c) noexcept {
+  const auto apart = [](std::int32_t p, std::int32_t q) { return std::int64_t{p} - q; };
+  return apart(c.x, a.x) * apart(b.y, a.y) - apart(b.x, a.x) * apart(c.y, a.y);
+}
+
+/// What is nearer is larger: 1/w, -distance where the camera is orthographic.
+inline double nearness_of(const View& view, const DevicePoint& p) noexcept {
+  return view.orthographic ? -p.distance : 1 / p.w;
+}
+
 /// A corner of the world in the picture.
 struct DeviceVertex {
   DevicePoint point;

@@ -12,6 +12,7 @@
 #include "lib/core/trigonometry.h"
 #include "lib/render/bands.h"
 #include "lib/render/cross.h"
+#include "lib/render/edge_lines.h"
 #include "lib/render/scene_check.h"
 #include "lib/render/tile_renderer.h"
 #include "tristim/light/vector.h"
@@ -24,6 +25,7 @@ struct PreparedScene {
   RenderReport report;
   World world;
   std::vector<MaterialLook> looks;
+  std::vector<WorldEdge> edges;  // where lines are drawn, in the last material
 };
 
 namespace {
@@ -110,6 +112,10 @@ Frame frame_of(const PreparedScene& prepared, const Camera& camera, const Render
               .shader = SurfaceShader(scene, prepared.looks, view, plan),
               .triangles = {}};
   frame.triangles = device_triangles(frame.seen, scene, options.threads);
+  if (!prepared.edges.empty()) {
+    const auto material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+    add_edge_lines(frame.seen, prepared.edges, scene.edges, material, frame.triangles);
+  }
   frame.offsets = sample_offsets(picture.samples, frame.seen.grid.bits);
   frame.taps = filter_taps(picture.filter, frame.offsets, frame.seen.grid.bits);
   frame.channels = channel_planes(scene, options, plan, frame.layout);
@@ -241,9 +247,15 @@ SceneRenderer::SceneRenderer(Scene scene) {
   detail::check_scene(scene);
   RenderReport report;
   detail::World world = detail::world_of(scene, report);
+  std::vector<detail::WorldEdge> edges;
+  if (scene.edges.silhouettes || scene.edges.creases) {
+    edges = detail::edges_of(world);
+    scene.materials.push_back(
+        {.name = "edges", .model = kFlatColor, .surface = {.od = scene.edges.color}});
+  }
   std::vector<detail::MaterialLook> looks = detail::looks_of(scene);
-  prepared_ = std::make_unique<const detail::PreparedScene>(
-      detail::PreparedScene{std::move(scene), report, std::move(world), std::move(looks)});
+  prepared_ = std::make_unique<const detail::PreparedScene>(detail::PreparedScene{
+      std::move(scene), report, std::move(world), std::move(looks), std::move(edges)});
 }
 
 SceneRenderer::~SceneRenderer() = default;
