@@ -24,7 +24,9 @@ struct RowLight {
   float specular_r = 0, specular_g = 0, specular_b = 0;
 };
 
-enum class RowLobe { kNone, kPhong, kBlinnPhong, kCookTorrance };
+/// kFacets is kCookTorrance in parts, for Fresnel terms of any colour: of one light red becomes
+/// f_att N.L rho_s for F = 1, green V.H.
+enum class RowLobe { kNone, kPhong, kBlinnPhong, kCookTorrance, kFacets };
 
 /// RowShading with everything computed that does not depend on the sample.
 struct RowConstants {

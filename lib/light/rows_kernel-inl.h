@@ -61,7 +61,7 @@ HWY_INLINE void add_light(const RowConstants& c, const RowLight& light, const Se
   sum.r = sum.r + L::f(light.diffuse_r) * diffuse;
   sum.g = sum.g + L::f(light.diffuse_g) * diffuse;
   sum.b = sum.b + L::f(light.diffuse_b) * diffuse;
-  if constexpr (kLobe != RowLobe::kNone) {
+  if constexpr (kLobe != RowLobe::kNone && kLobe != RowLobe::kFacets) {
     const F lobe = lobe_of<L, kLobe>(c, at, to, n_dot_l, n_dot_v);
     const F specular = lobe * f_att;
     sum.r = sum.r + L::f(light.specular_r) * specular;
@@ -76,6 +76,7 @@ HWY_INLINE void shade_at(const RowConstants& c, const SurfaceRows& surface, std:
                          const LightRows& out) {
   const Seen<L> at = seen_at<L>(c, surface, i);
   const typename L::F n_dot_v = L::narrow(at.nv) * at.v.inverse;
+  if constexpr (kLobe == RowLobe::kFacets) return facets_at<L>(c, at, n_dot_v, i, out);
   Reflected<L> sum{L::f(c.ambient_r), L::f(c.ambient_g), L::f(c.ambient_b)};
   for (const RowLight& light : c.lights) add_light<L, kLobe>(c, light, at, n_dot_v, sum);
   L::store(sum.r, out.r.data() + i);
@@ -112,6 +113,8 @@ HWY_INLINE std::size_t shade_with_lobe(const RowConstants& c, const SurfaceRows&
       return shade_vectors<L, RowLobe::kBlinnPhong>(c, surface, out);
     case RowLobe::kCookTorrance:
       return shade_vectors<L, RowLobe::kCookTorrance>(c, surface, out);
+    case RowLobe::kFacets:
+      return shade_vectors<L, RowLobe::kFacets>(c, surface, out);
     case RowLobe::kNone:
       break;
   }

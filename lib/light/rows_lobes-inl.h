@@ -100,15 +100,42 @@ HWY_INLINE Beckmann<L> beckmann_of(const RowConstants& c, const HalfVector<L>& h
 // D F G / (4 N.V), D = exp(-(tan b / m)^2) / (pi m^2 cos^4 b), G = min(1, (N.L + N.V) min(N.L, N.V)
 // / (V.H)^2); 0 behind the surface.
 template <class L>
-HWY_INLINE typename L::F cook_torrance_lobe(const RowConstants& c, const Seen<L>& at,
-                                            const Towards<L>& to, typename L::F n_dot_l,
-                                            typename L::F n_dot_v) {
+HWY_INLINE typename L::F facet_lobe(const RowConstants& c, const HalfVector<L>& h,
+                                    const Fresnel<L>& f, typename L::F n_dot_l,
+                                    typename L::F n_dot_v) {
   using F = typename L::F;
-  const HalfVector<L> h = half_vector_of<L>(at, to);
   const Beckmann<L> d = beckmann_of<L>(c, h);
-  const Fresnel<L> f = fresnel_of<L>(c, h.vh2);
   const F nv = L::max(n_dot_v, L::f(1e-30F));
   const F g = L::min((n_dot_l + nv) * L::min(n_dot_l, nv) * f.inverse_vh2, L::f(1));
   const F factor = f.reflected * g * (d.sec2 * d.sec2) * (L::f(c.lobe_scale) / nv);
   return L::where_positive(L::min(n_dot_l, n_dot_v), d.exponential * factor, L::f(0));
+}
+
+template <class L>
+HWY_INLINE typename L::F cook_torrance_lobe(const RowConstants& c, const Seen<L>& at,
+                                            const Towards<L>& to, typename L::F n_dot_l,
+                                            typename L::F n_dot_v) {
+  const HalfVector<L> h = half_vector_of<L>(at, to);
+  return facet_lobe<L>(c, h, fresnel_of<L>(c, h.vh2), n_dot_l, n_dot_v);
+}
+
+// RowLobe::kFacets, of the first light.
+template <class L>
+HWY_INLINE void facets_at(const RowConstants& c, const Seen<L>& at, typename L::F n_dot_v,
+                          std::size_t i, const LightRows& out) {
+  using F = typename L::F;
+  const RowLight& light = c.lights[0];
+  const Towards<L> to = towards<L>(light, at);
+  F n_dot_l = L::narrow(to.nl);
+  F f_att = L::f(1);
+  if (!light.directional) {
+    n_dot_l = n_dot_l * to.l.inverse;
+    if (light.attenuated) f_att = attenuation_of<L>(light, to.l.length);
+    if (light.spot) f_att = f_att * spot_of<L>(light, to);
+  }
+  const HalfVector<L> h = half_vector_of<L>(at, to);
+  const Fresnel<L> all{L::f(1), L::f(1) / h.vh2};
+  const F lobe = facet_lobe<L>(c, h, all, n_dot_l, n_dot_v);
+  L::store(lobe * f_att, out.r.data() + i);
+  L::store(L::root(h.vh2), out.g.data() + i);
 }

@@ -1,6 +1,7 @@
 #include "lib/render/looks.h"
 
 #include <Eigen/Core>
+#include <array>
 
 #include "lib/light/product.h"
 #include "tristim/color/illuminant.h"
@@ -52,8 +53,34 @@ class Mixer {
   Eigen::Matrix3d rgb_from_xyz_ = rgb_from_xyz(Primaries{});
 };
 
+Rgb times(const Rgb& a, const std::array<double, 3>& b) noexcept {
+  return {a.r * b[0], a.g * b[1], a.b * b[2]};
+}
+
 Rgb intensity_of(const SceneLight& light) {
   return std::visit([](const auto& source) { return source.intensity; }, light.source);
+}
+
+// Light times Os times F, by the cosine of V.H.
+FresnelTable highlight_of(const Mixer& mixer, const SceneMaterial& material, const Color& light,
+                          const Color& os) {
+  const RoughSurface& rough = material.rough;
+  if (rough.spectral) {
+    return FresnelTable([&](double cosine) {
+      SpectralColor reflected = os.spectrum != nullptr ? *os.spectrum : kWhiteOf<SpectralColor>;
+      for (std::size_t i = 0; i < kSpectralSamples; ++i) {
+        reflected.at[i] *= fresnel((*rough.spectral)[i], cosine);
+      }
+      const Rgb own = os.spectrum != nullptr ? Rgb{1, 1, 1} : os.rgb;
+      const Color surface = mixer.surface({}, &reflected);
+      return product(own, mixer.reflected(light, surface, material.surface.ks));
+    });
+  }
+  const Rgb color = mixer.reflected(light, os, material.surface.ks);
+  return FresnelTable([&](double cosine) {
+    return times(color, {fresnel(rough.reflectors[0], cosine), fresnel(rough.reflectors[1], cosine),
+                         fresnel(rough.reflectors[2], cosine)});
+  });
 }
 
 MaterialLook look_of(const Mixer& mixer, const Scene& scene, const SceneMaterial& material) {
@@ -66,15 +93,35 @@ MaterialLook look_of(const Mixer& mixer, const Scene& scene, const SceneMaterial
       mixer.reflected(mixer.light(scene.ambient, scene.ambient_spectrum), od, surface.ka);
   look.flat = od.rgb;
   look.albedo = product(surface.kd, od.rgb);
+  const bool tabled =
+      material.model.name == kMicrofacetReflection.name && row_dielectric(material) == nullptr;
   for (const SceneLight& light : scene.lights) {
     const Color arriving = mixer.light(intensity_of(light), light.spectrum);
     look.lights.push_back(
         {mixer.reflected(arriving, od, surface.kd), mixer.reflected(arriving, os, surface.ks)});
+    if (tabled) look.highlights.push_back(highlight_of(mixer, material, arriving, os));
   }
   return look;
 }
 
 }  // namespace
+
+const Dielectric* row_dielectric(const SceneMaterial& material) {
+  const RoughSurface& rough = material.rough;
+  if (rough.spectral || rough.facets.distribution.name != kBeckmann.name ||
+      rough.facets.normalization.name != kEnergyNormalization.name) {
+    return nullptr;
+  }
+  const auto* first = std::get_if<Dielectric>(&rough.reflectors[0]);
+  for (const Reflector& each : rough.reflectors) {
+    const auto* other = std::get_if<Dielectric>(&each);
+    if (first == nullptr || other == nullptr || first->eta_i != other->eta_i ||
+        first->eta_t != other->eta_t) {
+      return nullptr;
+    }
+  }
+  return first;
+}
 
 std::vector<MaterialLook> looks_of(const Scene& scene) {
   const Mixer mixer(scene);

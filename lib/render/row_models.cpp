@@ -4,8 +4,10 @@
 #include <variant>
 
 #include "lib/light/product.h"
+#include "lib/light/rows_constants.h"
 #include "tristim/light/area.h"
 #include "tristim/light/gooch.h"
+#include "tristim/light/microfacet.h"
 #include "tristim/light/vector.h"
 
 namespace tristim::detail {
@@ -30,24 +32,6 @@ void add(const LightRows& out, std::size_t i, const Rgb& color) {
   out.r[i] += static_cast<float>(color.r);
   out.g[i] += static_cast<float>(color.g);
   out.b[i] += static_cast<float>(color.b);
-}
-
-// Microfacets that the rows have in single precision: Beckmann's, with one index.
-const Dielectric* row_dielectric(const SceneMaterial& material) {
-  const RoughSurface& rough = material.rough;
-  if (rough.spectral || rough.facets.distribution.name != kBeckmann.name ||
-      rough.facets.normalization.name != kEnergyNormalization.name) {
-    return nullptr;
-  }
-  const auto* first = std::get_if<Dielectric>(&rough.reflectors[0]);
-  for (const Reflector& each : rough.reflectors) {
-    const auto* other = std::get_if<Dielectric>(&each);
-    if (first == nullptr || other == nullptr || first->eta_i != other->eta_i ||
-        first->eta_t != other->eta_t) {
-      return nullptr;
-    }
-  }
-  return first;
 }
 
 void run_rows(const RowModelJob& job, const RowModel& model, const SurfaceRows& surface,
@@ -90,29 +74,68 @@ void run_gooch(const RowModelJob& job, const SurfaceRows& surface, const LightRo
   }
 }
 
-// rho_s in colour times f_att N.L, for a light of intensity 1.
-Rgb rough_highlight(const RowModelJob& job, const Point& p, const Incident& arriving) {
-  const RoughSurface& rough = job.material.rough;
-  const double irradiance = arriving.intensity.r * std::max(dot(p.normal, arriving.to_light), 0.0);
-  return product(irradiance, torrance_sparrow(rough.facets, rough.reflectors, p.normal,
-                                              arriving.to_light, p.to_eye));
-}
-
 Light with_unit_intensity(Light light) {
   std::visit([](auto& each) { each.intensity = {1, 1, 1}; }, light);
   return light;
 }
 
-void run_definition(const RowModelJob& job, const SurfaceRows& surface, const LightRows& out) {
+// f_att N.L rho_s for F = 1, and V.H, of each sample: in single precision, or by the double
+// functions of `light`.
+struct FacetRows {
+  std::vector<float> lobe, cosine;
+};
+
+void run_facet_rows(const RowModelJob& job, const Light& light, const SurfaceRows& surface,
+                    FacetRows& out) {
+  std::vector<float> unused(out.lobe.size());
+  RowShading shading{.model = kCookTorranceRows, .m = job.material.rough.facets.m};
+  shading.eye = job.eye;
+  shading.local_viewer = job.local_viewer;
+  shading.lights = {&light, 1};
+  const LightRows rows{out.lobe, out.cosine, unused};
+  RowConstants constants = row_constants(shading, surface, rows);
+  constants.lobe = RowLobe::kFacets;
+  shade_rows_simd(constants, surface, rows);
+}
+
+void run_facet_definition(const RowModelJob& job, const Light& light, const SurfaceRows& surface,
+                          FacetRows& out) {
+  const Microfacets& facets = job.material.rough.facets;
+  const Light unit = with_unit_intensity(light);
+  const double scale =
+      (facets.normalization.normalised ? microfacet_normaliser(facets.distribution, facets.m) : 1) /
+      facets.normalization.divisor;
+  for (std::size_t i = 0; i < out.lobe.size(); ++i) {
+    const Point p = point_of(job, surface, i);
+    const Incident arriving = incident(unit, p.at);
+    const Vector3d half = half_vector(arriving.to_light, p.to_eye);
+    const double n_dot_v = dot(p.normal, p.to_eye);
+    const bool seen = n_dot_v > 0 && dot(p.normal, arriving.to_light) > 0;
+    const double density = microfacet_density(facets.distribution, dot(p.normal, half), facets.m);
+    const double g = geometric_attenuation(p.normal, arriving.to_light, p.to_eye).factor;
+    out.lobe[i] =
+        static_cast<float>(seen ? arriving.intensity.r * scale * density * g / n_dot_v : 0);
+    out.cosine[i] = static_cast<float>(dot(p.to_eye, half));
+  }
+}
+
+// A matte part, and highlights whose colour is that of a table.
+void run_facets(const RowModelJob& job, const SurfaceRows& surface, const LightRows& out) {
   RowModelJob matte = job;
   matte.specular = false;
   run_rows(matte, kCookTorranceRows, surface, out);
   if (!job.specular) return;
+  const Microfacets& facets = job.material.rough.facets;
+  const bool fast = facets.distribution.name == kBeckmann.name &&
+                    facets.normalization.name == kEnergyNormalization.name;
+  const std::size_t size = surface.x.size();
+  FacetRows rows{std::vector<float>(size), std::vector<float>(size)};
   for (std::size_t k = 0; k < job.lights.size(); ++k) {
-    const Light light = with_unit_intensity(job.lights[k]);
-    for (std::size_t i = 0; i < surface.x.size(); ++i) {
-      const Point p = point_of(job, surface, i);
-      add(out, i, product(rough_highlight(job, p, incident(light, p.at)), job.colors[k].specular));
+    (fast ? run_facet_rows : run_facet_definition)(job, job.lights[k], surface, rows);
+    const FresnelTable& table = job.look.highlights[job.index[k]];
+    for (std::size_t i = 0; i < size; ++i) {
+      if (rows.lobe[i] == 0) continue;
+      add(out, i, product(job.share[k] * double{rows.lobe[i]}, table.at(double{rows.cosine[i]})));
     }
   }
 }
@@ -127,7 +150,7 @@ void run_row_model(const RowModelJob& job, const SurfaceRows& surface, const Lig
   if (row_dielectric(job.material) != nullptr) {
     return run_rows(job, kCookTorranceRows, surface, out);
   }
-  run_definition(job, surface, out);
+  run_facets(job, surface, out);
 }
 
 void add_matte(std::span<const Vector3d> polygon, const Rgb& color, const SurfaceRows& s,

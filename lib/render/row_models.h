@@ -22,6 +22,7 @@ struct RowModelJob {
   Rgb ambient = {};
   std::vector<Light> lights = {};
   std::vector<std::size_t> index = {};      // of the scene's light that each belongs to
+  std::vector<double> share = {};           // of that light's highlights
   std::vector<RowLightColors> colors = {};  // of each
 };
 

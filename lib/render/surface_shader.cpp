@@ -188,6 +188,7 @@ void SurfaceShader::run_model(const Job& job, const Part& part, const LightRows&
     const double share = whole ? light.share : light.share / kPi;
     rows.lights.push_back(light.light);
     rows.index.push_back(light.index);
+    rows.share.push_back(share);
     rows.colors.push_back({part.diffuse && light.diffuse ? colors.diffuse : none,
                            part.specular ? product(share, colors.specular) : none});
   }
