@@ -107,8 +107,8 @@ double lift(const SeenWorld& seen, const WorldEdge& edge, double nearness, doubl
     if (face == kNoIndex) continue;
     DeviceTriangle drawn;
     drawn.triangle = face;
-    const Plane plane = surface_planes(seen, drawn, false).nearness;
-    const double slope = std::sqrt(plane.dx * plane.dx + plane.dy * plane.dy);
+    const SurfacePlanes planes = surface_planes(seen, drawn, false);
+    const double slope = std::sqrt(planes.dx[0] * planes.dx[0] + planes.dy[0] * planes.dy[0]);
     if (std::isfinite(slope)) rise = std::max(rise, slope * (width / 2 + 1));
   }
   const double size = std::fabs(nearness);

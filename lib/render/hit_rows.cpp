@@ -27,16 +27,17 @@ void add_run(const HitJob& job, const HitRun& run, std::size_t at, HitRows& rows
   const SurfacePlanes& planes = job.planes[run.triangle];
   const double across = run.x + job.shift_x - planes.x0;
   const double down = run.y + job.shift_y - planes.y0;
-  const auto add = [&](const Plane& plane, std::vector<float>& row) {
-    const auto start = static_cast<float>(plane.at(across, down));
+  const auto add = [&](std::size_t k, std::vector<float>& row) {
+    const auto start =
+        static_cast<float>(planes.start[k] + (planes.dx[k] * across + planes.dy[k] * down));
     for (std::uint32_t i = 0; i < run.length; ++i) {
-      row[at + i] = start + static_cast<float>(plane.dx) * static_cast<float>(i);
+      row[at + i] = start + planes.step[k] * static_cast<float>(i);
     }
   };
-  add(planes.nearness, rows.nearness);
-  add(planes.nx, rows.raw_x);
-  add(planes.ny, rows.raw_y);
-  add(planes.nz, rows.raw_z);
+  add(SurfacePlanes::kNearness, rows.nearness);
+  add(SurfacePlanes::kX, rows.raw_x);
+  add(SurfacePlanes::kY, rows.raw_y);
+  add(SurfacePlanes::kZ, rows.raw_z);
   const auto x = static_cast<float>(run.x + job.shift_x);
   for (std::uint32_t i = 0; i < run.length; ++i) {
     rows.sample_x[at + i] = x + static_cast<float>(i);

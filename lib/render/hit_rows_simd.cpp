@@ -7,6 +7,7 @@
 // clang-format on
 #include <hwy/highway.h>
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -43,33 +44,35 @@ HWY_INLINE RunLanes lanes_of_run(int first, std::uint32_t length) {
 }
 
 HWY_INLINE void put(const RunLanes& lanes, LanesOfBlock value, float* out) {
-  const BlockTag d;
-  hw::StoreU(hw::IfThenElse(lanes.inside, value, hw::LoadU(d, out)), d, out);
+  hw::BlendedStore(value, lanes.inside, BlockTag(), out);
 }
 
-HWY_INLINE void put_plane(const Plane& plane, double across, double down, const RunLanes& lanes,
-                          float* out) {
-  const BlockTag d;
-  const auto start = hw::Set(d, static_cast<float>(plane.at(across, down)));
-  put(lanes, start + hw::Set(d, static_cast<float>(plane.dx)) * lanes.from_start, out);
+// The values of the four planes where a run starts.
+HWY_INLINE std::array<float, 4> starts_of(const SurfacePlanes& planes, double across, double down) {
+  std::array<float, 4> starts;
+  for (std::size_t k = 0; k < 4; ++k) {
+    starts[k] = static_cast<float>(planes.start[k] + (planes.dx[k] * across + planes.dy[k] * down));
+  }
+  return starts;
 }
 
 HWY_INLINE void add_run(const HitJob& job, const HitRun& run, std::size_t block, HitRows& rows) {
   const BlockTag d;
   const SurfacePlanes& planes = job.planes[run.triangle];
-  const double across = run.x + job.shift_x - planes.x0;
-  const double down = run.y + job.shift_y - planes.y0;
+  const std::array<float, 4> starts =
+      starts_of(planes, run.x + job.shift_x - planes.x0, run.y + job.shift_y - planes.y0);
+  const std::array<float*, 4> out{rows.nearness.data() + block, rows.raw_x.data() + block,
+                                  rows.raw_y.data() + block, rows.raw_z.data() + block};
   const auto x = hw::Set(d, static_cast<float>(run.x + job.shift_x));
   const auto y = hw::Set(d, static_cast<float>(run.y + job.shift_y));
   for (int lane = 0; lane < kBlock; lane += static_cast<int>(hw::Lanes(d))) {
     const auto lanes = lanes_of_run(static_cast<int>(run.pixel % kBlock) - lane, run.length);
-    const std::size_t at = block + static_cast<std::size_t>(lane);
-    put_plane(planes.nearness, across, down, lanes, rows.nearness.data() + at);
-    put_plane(planes.nx, across, down, lanes, rows.raw_x.data() + at);
-    put_plane(planes.ny, across, down, lanes, rows.raw_y.data() + at);
-    put_plane(planes.nz, across, down, lanes, rows.raw_z.data() + at);
-    put(lanes, x + lanes.from_start, rows.sample_x.data() + at);
-    put(lanes, y, rows.sample_y.data() + at);
+    for (std::size_t k = 0; k < 4; ++k) {
+      put(lanes, hw::Set(d, starts[k]) + hw::Set(d, planes.step[k]) * lanes.from_start,
+          out[k] + lane);
+    }
+    put(lanes, x + lanes.from_start, rows.sample_x.data() + block + lane);
+    put(lanes, y, rows.sample_y.data() + block + lane);
   }
 }
 

@@ -20,50 +20,85 @@
 namespace tristim {
 namespace detail {
 
+// Some rows of the picture, and the memory to draw them.
+struct Band {
+  int index = 0;
+  Image rows;
+  int width = 0, channels = 0, height = 0;  // of the rows
+  TileRenderer tiles;
+};
+
+// What a frame needs room for, used again by the next one.
+struct FrameMemory {
+  std::vector<DeviceVertex> vertices;
+  std::vector<std::vector<DeviceTriangle>> parts;
+  std::vector<DeviceTriangle> triangles;
+  std::vector<std::unique_ptr<Band>> bands;
+};
+
+class FramePool {
+ public:
+  std::unique_ptr<FrameMemory> take() {
+    const std::scoped_lock lock(mutex_);
+    if (free_.empty()) return std::make_unique<FrameMemory>();
+    std::unique_ptr<FrameMemory> memory = std::move(free_.back());
+    free_.pop_back();
+    return memory;
+  }
+  void give_back(std::unique_ptr<FrameMemory> memory) {
+    const std::scoped_lock lock(mutex_);
+    free_.push_back(std::move(memory));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<FrameMemory>> free_;
+};
+
 struct PreparedScene {
   Scene scene;
   RenderReport report;
   World world;
   std::vector<MaterialLook> looks;
   std::vector<WorldEdge> edges;  // where lines are drawn, in the last material
+  mutable FramePool pool = {};
 };
 
 namespace {
 
 using Eigen::Vector3d;
 
-std::vector<DeviceVertex> device_vertices(const View& view, const FixedGrid& grid,
-                                          const World& world, int threads) {
+void set_vertices(SeenWorld& seen, int threads) {
   constexpr std::size_t kPart = 4096;
-  const std::size_t size = world.positions.size();
-  std::vector<DeviceVertex> vertices(size);
-  parallel_for_rows(static_cast<int>((size + kPart - 1) / kPart), threads, [&](int part) {
-    const std::size_t first = static_cast<std::size_t>(part) * kPart;
-    for (std::size_t i = first; i < std::min(first + kPart, size); ++i) {
-      vertices[i] = device_vertex(view, grid, world.positions[i]);
-    }
-  });
-  return vertices;
+  const auto& positions = seen.world.positions;
+  seen.vertices.resize(positions.size());
+  parallel_for_rows(static_cast<int>((positions.size() + kPart - 1) / kPart), threads,
+                    [&](int part) {
+                      const std::size_t first = static_cast<std::size_t>(part) * kPart;
+                      const std::size_t last = std::min(first + kPart, positions.size());
+                      for (std::size_t i = first; i < last; ++i) {
+                        seen.vertices[i] = device_vertex(seen.view, seen.grid, positions[i]);
+                      }
+                    });
 }
 
-std::vector<DeviceTriangle> device_triangles(const SeenWorld& seen, const Scene& scene,
-                                             int threads) {
+void set_triangles(Frame& frame, std::vector<std::vector<DeviceTriangle>>& parts, int threads) {
   constexpr std::size_t kPart = 4096;
+  const SeenWorld& seen = frame.seen;
   const std::size_t size = seen.world.triangles.size();
-  std::vector<std::vector<DeviceTriangle>> parts((size + kPart - 1) / kPart);
+  parts.resize((size + kPart - 1) / kPart);
   parallel_for_rows(static_cast<int>(parts.size()), threads, [&](int part) {
     const std::size_t first = static_cast<std::size_t>(part) * kPart;
     const std::size_t last = std::min(first + kPart, size);
-    add_device_triangles(seen.view, seen.grid, seen.world, seen.vertices, scene.materials,
-                         static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
-                         parts[static_cast<std::size_t>(part)]);
+    auto& out = parts[static_cast<std::size_t>(part)];
+    out.clear();
+    add_device_triangles(seen.view, seen.grid, seen.world, seen.vertices, frame.scene.materials,
+                         static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), out);
   });
-  std::vector<DeviceTriangle> all;
-  std::size_t count = 0;
-  for (const auto& part : parts) count += part.size();
-  all.reserve(count);
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  frame.triangles.clear();
+  for (const auto& part : parts) {
+    frame.triangles.insert(frame.triangles.end(), part.begin(), part.end());
+  }
 }
 
 void check_options(const RenderOptions& options) {
@@ -85,23 +120,17 @@ DataPlan data_plan(const RenderOptions& options) {
           .mach = asked(kMachLayer)};
 }
 
-SeenWorld seen_world(const PreparedScene& prepared, const Camera& camera, int threads) {
-  const PictureSettings& picture = prepared.scene.picture;
-  const View view = view_of(camera, picture.width, picture.height);
-  const FixedGrid grid = fixed_grid(picture.width, picture.height);
-  return {prepared.world, view, grid, device_vertices(view, grid, prepared.world, threads)};
-}
-
-Frame frame_of(const PreparedScene& prepared, const Camera& camera, const RenderOptions& options) {
+Frame frame_of(const PreparedScene& prepared, const Camera& camera, const RenderOptions& options,
+               FrameMemory& memory) {
   check_options(options);
   const Scene& scene = prepared.scene;
   const PictureSettings& picture = scene.picture;
-  SeenWorld seen = seen_world(prepared, camera, options.threads);
-  const View view = seen.view;
+  const View view = view_of(camera, picture.width, picture.height);
   const ColorPlan plan = color_plan(scene, options);
   Frame frame{.scene = scene,
               .options = options,
-              .seen = std::move(seen),
+              .seen = {prepared.world, view, fixed_grid(picture.width, picture.height),
+                       std::move(memory.vertices)},
               .offsets = {},
               .taps = {},
               .plan = plan,
@@ -110,8 +139,9 @@ Frame frame_of(const PreparedScene& prepared, const Camera& camera, const Render
               .channels = {},
               .keeps = {},
               .shader = SurfaceShader(scene, prepared.looks, view, plan),
-              .triangles = {}};
-  frame.triangles = device_triangles(frame.seen, scene, options.threads);
+              .triangles = std::move(memory.triangles)};
+  set_vertices(frame.seen, options.threads);
+  set_triangles(frame, memory.parts, options.threads);
   if (!prepared.edges.empty()) {
     const auto material = static_cast<std::uint32_t>(scene.materials.size() - 1);
     add_edge_lines(frame.seen, prepared.edges, scene.edges, material, frame.triangles);
@@ -128,24 +158,16 @@ Frame frame_of(const PreparedScene& prepared, const Camera& camera, const Render
   return frame;
 }
 
-// Some rows of the picture, and the memory to draw them.
-struct Band {
-  explicit Band(const Frame& frame, int channels)
-      : rows(frame.seen.view.width, frame.options.tile, channels), tiles(frame) {}
-  int index = 0;
-  Image rows;
-  TileRenderer tiles;
-};
-
 class BandRenderer {
  public:
-  BandRenderer(const Frame& frame, int channels)
+  BandRenderer(const Frame& frame, FrameMemory& memory)
       : frame_(frame),
-        channels_(channels),
+        memory_(memory),
         tile_(frame.options.tile),
-        count_((frame.seen.view.height + tile_ - 1) / tile_),
+        rows_(std::max(kBlock, tile_ / 2)),
+        count_((frame.seen.view.height + rows_ - 1) / rows_),
         lists_(StripLists::of(
-            frame.triangles.size(), count_, tile_, frame.margin,
+            frame.triangles.size(), count_, rows_, frame.margin,
             [&](std::size_t i) { return rows_of(frame.triangles[i], frame.seen.grid.bits); })) {}
 
   void run(RowSink& sink) {
@@ -164,24 +186,32 @@ class BandRenderer {
     std::unique_ptr<Band> band;
     {
       const std::scoped_lock lock(mutex_);
-      if (!free_.empty()) {
-        band = std::move(free_.back());
-        free_.pop_back();
+      if (!memory_.bands.empty()) {
+        band = std::move(memory_.bands.back());
+        memory_.bands.pop_back();
       }
     }
-    if (band == nullptr) band = std::make_unique<Band>(frame_, channels_);
+    if (band == nullptr) band = std::make_unique<Band>();
+    const auto channels = static_cast<int>(frame_.channels.size());
+    const int width = frame_.seen.view.width;
+    if (band->width != width || band->height != rows_ || band->channels != channels) {
+      band->rows = Image(width, rows_, channels);
+      band->width = width;
+      band->height = rows_;
+      band->channels = channels;
+    }
     band->index = next_++;
     return band.release();
   }
 
   void give_back(Band* band) {
     const std::scoped_lock lock(mutex_);
-    free_.emplace_back(band);
+    memory_.bands.emplace_back(band);
   }
 
   ImageView<float> view(Band& band) const {
-    const int y0 = band.index * tile_;
-    return band.rows.view().rows(0, std::min(tile_, frame_.seen.view.height - y0));
+    const int y0 = band.index * rows_;
+    return band.rows.view().rows(0, std::min(rows_, frame_.seen.view.height - y0));
   }
 
   void draw(Band& band) const {
@@ -198,18 +228,18 @@ class BandRenderer {
       in_tile.clear();
       for (const std::uint32_t i : columns[t]) in_tile.push_back(list[i]);
       const int x0 = t * tile_;
-      band.tiles.draw(in_tile, x0, std::min(tile_, width - x0), band.index * tile_, rows);
+      band.tiles.draw(frame_, in_tile, x0, std::min(tile_, width - x0), band.index * rows_, rows);
     }
   }
 
   const Frame& frame_;
-  int channels_;
-  int tile_;
+  FrameMemory& memory_;
+  int tile_;  // columns of a tile
+  int rows_;  // of a band: half as many, so that its memory stays in the cache
   int count_;
   StripLists lists_;
   int next_ = 0;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Band>> free_;
 };
 
 }  // namespace
@@ -254,8 +284,8 @@ SceneRenderer::SceneRenderer(Scene scene) {
         {.name = "edges", .model = kFlatColor, .surface = {.od = scene.edges.color}});
   }
   std::vector<detail::MaterialLook> looks = detail::looks_of(scene);
-  prepared_ = std::make_unique<const detail::PreparedScene>(detail::PreparedScene{
-      std::move(scene), report, std::move(world), std::move(looks), std::move(edges)});
+  prepared_.reset(new detail::PreparedScene{std::move(scene), report, std::move(world),
+                                            std::move(looks), std::move(edges)});
 }
 
 SceneRenderer::~SceneRenderer() = default;
@@ -267,9 +297,12 @@ const RenderReport& SceneRenderer::report() const noexcept { return prepared_->r
 
 void SceneRenderer::render(const Camera& camera, const RenderOptions& options,
                            RowSink& sink) const {
-  const detail::Frame frame = detail::frame_of(*prepared_, camera, options);
-  const auto channels = static_cast<int>(render_channels(scene(), options).size());
-  detail::BandRenderer(frame, channels).run(sink);
+  std::unique_ptr<detail::FrameMemory> memory = prepared_->pool.take();
+  detail::Frame frame = detail::frame_of(*prepared_, camera, options, *memory);
+  detail::BandRenderer(frame, *memory).run(sink);
+  memory->vertices = std::move(frame.seen.vertices);
+  memory->triangles = std::move(frame.triangles);
+  prepared_->pool.give_back(std::move(memory));
 }
 
 Camera orbit(const Camera& camera, int frame, int frames) {

@@ -52,10 +52,10 @@ std::vector<int> channel_planes(const Scene& scene, const RenderOptions& options
 
 // Places are those from the eye so far.
 void TileRenderer::place_in_world() {
-  const Eigen::Vector3d& eye = frame_.seen.view.eye;
+  const Eigen::Vector3d& eye = frame_->seen.view.eye;
   for (int axis = 0; axis < 3; ++axis) {
-    const int number = frame_.layout.place + axis;
-    if (frame_.keeps[static_cast<std::size_t>(number)] == 0) continue;
+    const int number = frame_->layout.place + axis;
+    if (frame_->keeps[static_cast<std::size_t>(number)] == 0) continue;
     const std::span<float> row = plane(number);
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (plane_.id[i] != kNothing) row[i] = static_cast<float>(eye[axis] + double{row[i]});
@@ -64,23 +64,23 @@ void TileRenderer::place_in_world() {
 }
 
 void TileRenderer::draw_ids() {
-  const std::span<float> ids = plane(frame_.layout.id);
+  const std::span<float> ids = plane(frame_->layout.id);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     ids[i] = 0;
     if (plane_.id[i] == kNothing) continue;
-    const DeviceTriangle& drawn = frame_.triangles[list_[plane_.id[i]]];
-    ids[i] = static_cast<float>(frame_.seen.world.triangles[drawn.triangle].number);
+    const DeviceTriangle& drawn = frame_->triangles[list_[plane_.id[i]]];
+    ids[i] = static_cast<float>(frame_->seen.world.triangles[drawn.triangle].number);
   }
 }
 
 void TileRenderer::draw_uvs() {
-  clear_planes(frame_.layout.uv, frame_.layout.mach);
-  const std::span<float> u = plane(frame_.layout.uv);
-  const std::span<float> v = plane(frame_.layout.uv + 1);
-  const World& world = frame_.seen.world;
+  clear_planes(frame_->layout.uv, frame_->layout.mach);
+  const std::span<float> u = plane(frame_->layout.uv);
+  const std::span<float> v = plane(frame_->layout.uv + 1);
+  const World& world = frame_->seen.world;
   for (const HitRun& run : runs_) {
-    const DeviceTriangle& drawn = frame_.triangles[list_[run.triangle]];
-    const CornerWeights weights = corner_weights(frame_.seen, drawn, frame_.scene.picture.affine);
+    const DeviceTriangle& drawn = frame_->triangles[list_[run.triangle]];
+    const CornerWeights weights = corner_weights(frame_->seen, drawn, frame_->scene.picture.affine);
     std::array<Uv, 3> at;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t index = world.triangles[drawn.triangle].uv[k];
@@ -102,7 +102,7 @@ void TileRenderer::draw_uvs() {
 // As mach_bands of the whole picture.
 void TileRenderer::draw_mach_bands() {
   const Eigen::RowVector3d weights = xyz_from_rgb(Primaries{}).row(1);
-  const float* color = planes_.row(frame_.plan.beauty);
+  const float* color = planes_.row(frame_->plan.beauty);
   const std::size_t size = area();
   std::vector<float> luminance(size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -114,20 +114,20 @@ void TileRenderer::draw_mach_bands() {
     const float* here = luminance.data() + at;
     return 2 * here[0] - here[-step] - here[step];
   };
-  const std::span<float> bands = plane(frame_.layout.mach);
+  const std::span<float> bands = plane(frame_->layout.mach);
   for (int y = 1; y < rect_.height - 1; ++y) {
     for (int x = 1; x < rect_.width - 1; ++x) {
       const std::ptrdiff_t at = std::ptrdiff_t{y} * rect_.width + x;
       bands[static_cast<std::size_t>(at)] =
-          bend(at, 1, rect_.x0 + x, frame_.seen.view.width) +
-          bend(at, rect_.width, rect_.y0 + y, frame_.seen.view.height);
+          bend(at, 1, rect_.x0 + x, frame_->seen.view.width) +
+          bend(at, rect_.width, rect_.y0 + y, frame_->seen.view.height);
     }
   }
 }
 
 void TileRenderer::use_xyz() {
   const Eigen::Matrix3d to_xyz = xyz_from_rgb(Primaries{});
-  for (int first = 0; first < frame_.plan.channels; first += 3) {
+  for (int first = 0; first < frame_->plan.channels; first += 3) {
     const std::span<float> r = plane(first);
     const std::span<float> g = plane(first + 1);
     const std::span<float> b = plane(first + 2);
@@ -141,10 +141,10 @@ void TileRenderer::use_xyz() {
 }
 
 void TileRenderer::write(int x0, int width, int y0, ImageView<float> rows) const {
-  std::vector<const float*> row(frame_.channels.size());
+  std::vector<const float*> row(frame_->channels.size());
   for (int y = 0; y < rows.height; ++y) {
     const std::ptrdiff_t at = std::ptrdiff_t{y0 + y - rect_.y0} * rect_.width + (x0 - rect_.x0);
-    for (std::size_t c = 0; c < row.size(); ++c) row[c] = planes_.row(frame_.channels[c]) + at;
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] = planes_.row(frame_->channels[c]) + at;
     interleave(row, static_cast<std::size_t>(width), rows.pixel(x0, y));
   }
 }

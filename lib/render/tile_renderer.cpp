@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 #include "tristim/light/normals.h"
 #include "tristim/light/vector.h"
@@ -32,7 +33,7 @@ void scatter(const HitRows& hits, const float* from, float* to) {
     const HitBlock& block = hits.blocks[b];
     float* pixel = to + block.pixel;
     if (block.lanes == kAll) {
-      std::copy_n(from, kBlock, pixel);
+      std::memcpy(pixel, from, kBlock * sizeof(float));
       continue;
     }
     for (std::uint32_t left = block.lanes; left != 0; left &= left - 1) {
@@ -47,10 +48,10 @@ void scatter(const HitRows& hits, const float* from, float* to) {
 void TileRenderer::set_list(std::span<const std::uint32_t> list) {
   list_.assign(list.begin(), list.end());
   opaque_ = list_.size();
-  if (frame_.has_transparent) {
+  if (frame_->has_transparent) {
     const auto transparent =
         std::stable_partition(list_.begin(), list_.end(), [&](std::uint32_t i) {
-          const SceneMaterial& material = frame_.scene.materials[frame_.triangles[i].material];
+          const SceneMaterial& material = frame_->scene.materials[frame_->triangles[i].material];
           return material.transparency == Transparency::kNone;
         });
     opaque_ = static_cast<std::size_t>(transparent - list_.begin());
@@ -60,8 +61,9 @@ void TileRenderer::set_list(std::span<const std::uint32_t> list) {
   has_corners_.assign(list_.size(), 0);
 }
 
-void TileRenderer::draw(std::span<const std::uint32_t> list, int x0, int width, int y0,
-                        ImageView<float> rows) {
+void TileRenderer::draw(const Frame& frame, std::span<const std::uint32_t> list, int x0, int width,
+                        int y0, ImageView<float> rows) {
+  frame_ = &frame;
   if (list.empty()) {
     for (int y = 0; y < rows.height; ++y) {
       std::fill_n(rows.pixel(x0, y), width * rows.channels, 0.0F);
@@ -69,24 +71,24 @@ void TileRenderer::draw(std::span<const std::uint32_t> list, int x0, int width, 
     return;
   }
   set_list(list);
-  rect_ = rect_around(x0, width, y0, rows.height, frame_.margin);
+  rect_ = rect_around(x0, width, y0, rows.height, frame_->margin);
   const auto size = static_cast<std::size_t>(rect_.width) * static_cast<std::size_t>(rect_.height);
-  planes_.resize(frame_.layout.count, size);
-  const bool filtered = frame_.offsets.size() > 1 || frame_.taps[0].size() > 1;
-  const auto colors = static_cast<std::size_t>(frame_.plan.channels + 1);
+  planes_.resize(frame_->layout.count, size);
+  const bool filtered = frame_->offsets.size() > 1 || frame_->taps[0].size() > 1;
+  const auto colors = static_cast<std::size_t>(frame_->plan.channels + 1);
   if (filtered) filtered_.assign(colors * size, 0);
-  const DataPlan& data = frame_.data;
-  const bool centres = frame_.offsets.size() == 1 && opaque_ == list_.size();
+  const DataPlan& data = frame_->data;
+  const bool centres = frame_->offsets.size() == 1 && opaque_ == list_.size();
   keeps_geometry_ = centres && data.geometry;
   if (keeps_geometry_) clear_geometry();
-  for (std::size_t i = 0; i < frame_.offsets.size() && frame_.plan.channels > 0; ++i) {
-    draw_sample(frame_.offsets[i]);
-    if (filtered) filter_sample(frame_.taps[i]);
+  for (std::size_t i = 0; i < frame_->offsets.size() && frame_->plan.channels > 0; ++i) {
+    draw_sample(frame_->offsets[i]);
+    if (filtered) filter_sample(frame_->taps[i]);
   }
   if (filtered) std::copy_n(filtered_.begin(), filtered_.size(), planes_.values.begin());
   if (data.mach) draw_mach_bands();
-  if (data.geometry || data.id || data.uv) draw_data(centres && frame_.plan.channels > 0);
-  if (frame_.options.xyz) use_xyz();
+  if (data.geometry || data.id || data.uv) draw_data(centres && frame_->plan.channels > 0);
+  if (frame_->options.xyz) use_xyz();
   write(x0, width, y0, rows);
 }
 
@@ -97,14 +99,14 @@ void TileRenderer::clear_planes(int first, int last) {
 }
 
 void TileRenderer::clear_geometry() {
-  for (int p = frame_.layout.normal; p < frame_.layout.id; ++p) {
-    if (frame_.keeps[static_cast<std::size_t>(p)] != 0) clear_planes(p, p + 1);
+  for (int p = frame_->layout.normal; p < frame_->layout.id; ++p) {
+    if (frame_->keeps[static_cast<std::size_t>(p)] != 0) clear_planes(p, p + 1);
   }
 }
 
 void TileRenderer::see(std::size_t triangles, const SampleOffset& offset) {
   plane_.clear(rect_);
-  draw_triangles(frame_.triangles, {list_.data(), triangles}, frame_.seen.grid.bits, offset,
+  draw_triangles(frame_->triangles, {list_.data(), triangles}, frame_->seen.grid.bits, offset,
                  plane_);
   const std::size_t count = find_runs(plane_, run_memory_);
   runs_ = {run_memory_.data(), count};
@@ -113,16 +115,16 @@ void TileRenderer::see(std::size_t triangles, const SampleOffset& offset) {
 
 void TileRenderer::draw_sample(const SampleOffset& offset) {
   see(opaque_, offset);
-  clear_planes(0, frame_.layout.coverage);
+  clear_planes(0, frame_->layout.coverage);
   shade_groups(offset, planes_);
-  const std::span<float> coverage = plane(frame_.layout.coverage);
+  const std::span<float> coverage = plane(frame_->layout.coverage);
   for (std::size_t i = 0; i < coverage.size(); ++i) coverage[i] = plane_.id[i] == kNothing ? 0 : 1;
   if (opaque_ < list_.size()) draw_transparent(offset);
 }
 
 // One material after the other, each in the order of rows.
 void TileRenderer::group_runs() {
-  const std::size_t materials = frame_.scene.materials.size();
+  const std::size_t materials = frame_->scene.materials.size();
   groups_.clear();
   if (materials == 1) {
     if (!runs_.empty()) groups_.push_back({0, runs_});
@@ -142,9 +144,9 @@ void TileRenderer::group_runs() {
 // Calls use() for all samples of a group, some at a time in `hits_`.
 template <class Use>
 void TileRenderer::for_hits(const Group& group, const SampleOffset& offset, Use&& use) {
-  const SeenWorld& seen = frame_.seen;
+  const SeenWorld& seen = frame_->seen;
   const HitRays rays = hit_rays(seen.view);
-  const bool facing = frame_.scene.materials[group.material].two_sided;
+  const bool facing = frame_->scene.materials[group.material].two_sided;
   hits_.resize(kChunk + kBlock);
   for (std::size_t i = 0; i < group.runs.size();) {
     const std::size_t begin = i;
@@ -156,8 +158,8 @@ void TileRenderer::for_hits(const Group& group, const SampleOffset& offset, Use&
       block = run.pixel / kBlock;
       if (has_surface_[run.triangle] != 0) continue;
       has_surface_[run.triangle] = 1;
-      surfaces_[run.triangle] =
-          surface_planes(seen, frame_.triangles[list_[run.triangle]], frame_.scene.picture.affine);
+      surfaces_[run.triangle] = surface_planes(seen, frame_->triangles[list_[run.triangle]],
+                                               frame_->scene.picture.affine);
     }
     gather_hits({group.runs.subspan(begin, i - begin), surfaces_.data(),
                  in_pixels(offset.x, seen.grid), in_pixels(offset.y, seen.grid), rays, facing},
@@ -168,16 +170,16 @@ void TileRenderer::for_hits(const Group& group, const SampleOffset& offset, Use&
 
 void TileRenderer::shade_groups(const SampleOffset& offset, ColorRows& out) {
   for (const Group& group : groups_) {
-    if (frame_.scene.picture.shading.name != kPhongShading.name) {
+    if (frame_->scene.picture.shading.name != kPhongShading.name) {
       shade_corners(group);
       for (const HitRun& run : group.runs) spread_corners(run, offset, out);
       if (keeps_geometry_) for_hits(group, offset, [&] { keep_geometry(); });
       continue;
     }
     for_hits(group, offset, [&] {
-      shaded_.resize(frame_.plan.channels, hits_.x.size());
-      frame_.shader.shade(group.material, hits_.surface(), shaded_);
-      for (int c = 0; c < frame_.plan.channels; ++c) {
+      shaded_.resize(frame_->plan.channels, hits_.x.size());
+      frame_->shader.shade(group.material, hits_.surface(), shaded_);
+      for (int c = 0; c < frame_->plan.channels; ++c) {
         scatter(hits_, shaded_.row(c), out.row(c, 0).data());
       }
       if (keeps_geometry_) keep_geometry();
@@ -186,7 +188,7 @@ void TileRenderer::shade_groups(const SampleOffset& offset, ColorRows& out) {
 }
 
 void TileRenderer::keep_geometry() {
-  const PlaneLayout& to = frame_.layout;
+  const PlaneLayout& to = frame_->layout;
   const std::array<std::pair<int, const std::vector<float>*>, 7> rows{
       {{to.normal, &hits_.nx},
        {to.normal + 1, &hits_.ny},
@@ -196,28 +198,28 @@ void TileRenderer::keep_geometry() {
        {to.place + 2, &hits_.z},
        {to.distance, &hits_.distance}}};
   for (const auto& [number, row] : rows) {
-    if (frame_.keeps[static_cast<std::size_t>(number)] != 0) {
+    if (frame_->keeps[static_cast<std::size_t>(number)] != 0) {
       scatter(hits_, row->data(), plane(number).data());
     }
   }
 }
 
 void TileRenderer::draw_data(bool seen) {
-  const SampleOffset centre = sample_offsets(1, frame_.seen.grid.bits)[0];
+  const SampleOffset centre = sample_offsets(1, frame_->seen.grid.bits)[0];
   if (!seen) see(list_.size(), centre);
-  if (frame_.data.geometry && !(seen && keeps_geometry_)) {
+  if (frame_->data.geometry && !(seen && keeps_geometry_)) {
     clear_geometry();
     for (const Group& group : groups_) for_hits(group, centre, [&] { keep_geometry(); });
   }
-  if (frame_.data.geometry) place_in_world();
-  if (frame_.data.id) draw_ids();
-  if (frame_.data.uv) draw_uvs();
+  if (frame_->data.geometry) place_in_world();
+  if (frame_->data.id) draw_ids();
+  if (frame_->data.uv) draw_uvs();
 }
 
 // The model runs at the centroids or the vertices of all triangles of a group.
 void TileRenderer::shade_corners(const Group& group) {
-  const bool flat = frame_.scene.picture.shading.name == kFlatShading.name;
-  const auto channels = static_cast<std::size_t>(frame_.plan.channels);
+  const bool flat = frame_->scene.picture.shading.name == kFlatShading.name;
+  const auto channels = static_cast<std::size_t>(frame_->plan.channels);
   corners_.resize(std::max(corners_.size(), list_.size() * 3 * channels));
   weights_.resize(std::max(weights_.size(), list_.size()));
   std::vector<std::uint32_t> places;
@@ -226,16 +228,16 @@ void TileRenderer::shade_corners(const Group& group) {
     has_corners_[run.triangle] = 1;
     places.push_back(run.triangle);
   }
-  const bool facing = frame_.scene.materials[group.material].two_sided;
+  const bool facing = frame_->scene.materials[group.material].two_sided;
   hits_.resize(3 * places.size());
   hits_.size = 0;
   for (const std::uint32_t place : places) {
-    const DeviceTriangle& drawn = frame_.triangles[list_[place]];
+    const DeviceTriangle& drawn = frame_->triangles[list_[place]];
     add_corners(drawn, flat, facing);
-    if (!flat) weights_[place] = corner_weights(frame_.seen, drawn, frame_.scene.picture.affine);
+    if (!flat) weights_[place] = corner_weights(frame_->seen, drawn, frame_->scene.picture.affine);
   }
-  shaded_.resize(frame_.plan.channels, hits_.x.size());
-  frame_.shader.shade(group.material, hits_.surface(), shaded_);
+  shaded_.resize(frame_->plan.channels, hits_.x.size());
+  frame_->shader.shade(group.material, hits_.surface(), shaded_);
   const std::size_t points = flat ? 1 : 3;
   for (std::size_t k = 0; k < hits_.size; ++k) {
     float* to = corners_.data() + (places[k / points] * 3 + k % points) * channels;
@@ -244,8 +246,8 @@ void TileRenderer::shade_corners(const Group& group) {
 }
 
 void TileRenderer::add_corners(const DeviceTriangle& drawn, bool flat, bool facing) {
-  const View& view = frame_.seen.view;
-  const World& world = frame_.seen.world;
+  const View& view = frame_->seen.view;
+  const World& world = frame_->seen.world;
   const auto add = [&](const Vector3d& at, Vector3d normal) {
     const Vector3d seen = at - view.eye;
     if (facing) normal = facing_normal(normal, view.orthographic ? view.back : -seen);
@@ -268,14 +270,14 @@ void TileRenderer::add_corners(const DeviceTriangle& drawn, bool flat, bool faci
 
 void TileRenderer::spread_corners(const HitRun& run, const SampleOffset& offset,
                                   ColorRows& out) const {
-  const auto channels = static_cast<std::size_t>(frame_.plan.channels);
+  const auto channels = static_cast<std::size_t>(frame_->plan.channels);
   const float* a = corners_.data() + run.triangle * 3 * channels;
-  const bool flat = frame_.scene.picture.shading.name == kFlatShading.name;
+  const bool flat = frame_->scene.picture.shading.name == kFlatShading.name;
   const CornerWeights& weights = weights_[flat ? 0 : run.triangle];
-  const double down = run.y + in_pixels(offset.y, frame_.seen.grid) - weights.y0;
+  const double down = run.y + in_pixels(offset.y, frame_->seen.grid) - weights.y0;
   for (std::uint32_t i = 0; i < run.length; ++i) {
     const double across =
-        run.x + static_cast<double>(i) + in_pixels(offset.x, frame_.seen.grid) - weights.x0;
+        run.x + static_cast<double>(i) + in_pixels(offset.x, frame_->seen.grid) - weights.x0;
     const double wa = weights.corners[0].at(across, down);
     const double wb = weights.corners[1].at(across, down);
     const double wc = weights.corners[2].at(across, down);
@@ -296,7 +298,7 @@ void TileRenderer::filter_sample(const std::vector<FilterTap>& taps) {
     for (int y = std::max(0, -tap.y); y < rect_.height - std::max(0, tap.y); ++y) {
       const std::ptrdiff_t from = std::ptrdiff_t{y} * rect_.width;
       const std::ptrdiff_t to = std::ptrdiff_t{y + tap.y} * rect_.width + tap.x;
-      for (int c = 0; c <= frame_.layout.coverage; ++c) {
+      for (int c = 0; c <= frame_->layout.coverage; ++c) {
         const float* in = planes_.row(c) + from;
         double* out = filtered_.data() + static_cast<std::size_t>(c) * size + to;
         for (int x = first; x < last; ++x) out[x] += tap.weight * in[x];

@@ -70,11 +70,10 @@ struct Fragment {
 /// The memory of one thread, for one tile after the other.
 class TileRenderer {
  public:
-  explicit TileRenderer(const Frame& frame) : frame_(frame) {}
-
   /// Draws the pixels of `rows` from column `x0` on, `width` of them; row 0 of the view is row `y0`
   /// of the picture. `list` names the triangles that may reach the tile or its margin, in order.
-  void draw(std::span<const std::uint32_t> list, int x0, int width, int y0, ImageView<float> rows);
+  void draw(const Frame& frame, std::span<const std::uint32_t> list, int x0, int width, int y0,
+            ImageView<float> rows);
 
  private:
   // Runs of one material.
@@ -85,7 +84,7 @@ class TileRenderer {
   void set_list(std::span<const std::uint32_t> list);
   std::size_t area() const noexcept { return plane_.nearness.size(); }
   std::uint32_t material_of(std::uint32_t place) const {
-    return frame_.triangles[list_[place]].material;
+    return frame_->triangles[list_[place]].material;
   }
   std::span<float> plane(int number) noexcept { return planes_.row(number, area()); }
   void clear_planes(int first, int last);
@@ -116,7 +115,7 @@ class TileRenderer {
   void use_xyz();
   void write(int x0, int width, int y0, ImageView<float> rows) const;
 
-  const Frame& frame_;
+  const Frame* frame_ = nullptr;     // that of draw()
   std::vector<std::uint32_t> list_;  // opaque triangles, then transparent ones
   std::size_t opaque_ = 0;
   TileRect rect_;

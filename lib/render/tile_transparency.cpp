@@ -37,8 +37,8 @@ void add_fragments(const DeviceTriangle& triangle, std::uint32_t place, int bits
 void TileRenderer::draw_transparent(const SampleOffset& offset) {
   fragments_.clear();
   for (std::size_t i = opaque_; i < list_.size(); ++i) {
-    add_fragments(frame_.triangles[list_[i]], static_cast<std::uint32_t>(i), frame_.seen.grid.bits,
-                  offset, plane_, fragments_);
+    add_fragments(frame_->triangles[list_[i]], static_cast<std::uint32_t>(i),
+                  frame_->seen.grid.bits, offset, plane_, fragments_);
   }
   // From behind to the front; of equally near ones the first is in front, as among opaque ones.
   std::ranges::sort(fragments_, [](const Fragment& a, const Fragment& b) {
@@ -52,7 +52,7 @@ void TileRenderer::draw_transparent(const SampleOffset& offset) {
     run_memory_.push_back({static_cast<std::uint32_t>(i), fragments_[i].triangle,
                            rect_.x0 + pixel % rect_.width, rect_.y0 + pixel / rect_.width, 1});
   }
-  fragment_colors_.resize(frame_.plan.channels, fragments_.size());
+  fragment_colors_.resize(frame_->plan.channels, fragments_.size());
   runs_ = run_memory_;
   group_runs();
   shade_groups(offset, fragment_colors_);
@@ -62,18 +62,18 @@ void TileRenderer::draw_transparent(const SampleOffset& offset) {
 // I = (1 - kt) I1 + kt I2, or I1 + kt Ot I2 [Shoaff 4.4], for each layer alike, so that they still
 // add up. What is behind a surface shows through it in kt of the pixel.
 void TileRenderer::blend(const Fragment& fragment, std::size_t i) {
-  const SceneMaterial& material = frame_.scene.materials[material_of(fragment.triangle)];
+  const SceneMaterial& material = frame_->scene.materials[material_of(fragment.triangle)];
   const bool filtered = material.transparency == Transparency::kFiltered;
   const TransparentSurface& surface = material.transparent;
   const double front = filtered ? 1 : 1 - surface.kt;
   const Rgb tint = filtered ? surface.tint : Rgb{1, 1, 1};
   const std::array<double, 3> behind{surface.kt * tint.r, surface.kt * tint.g, surface.kt * tint.b};
-  for (int c = 0; c < frame_.plan.channels; ++c) {
+  for (int c = 0; c < frame_->plan.channels; ++c) {
     float& value = plane(c)[fragment.pixel];
     const float own = fragment_colors_.row(c)[i];
     value = static_cast<float>(front * own + behind[static_cast<std::size_t>(c % 3)] * value);
   }
-  float& coverage = plane(frame_.layout.coverage)[fragment.pixel];
+  float& coverage = plane(frame_->layout.coverage)[fragment.pixel];
   coverage = static_cast<float>(1 - surface.kt * (1 - coverage));
 }
 

@@ -78,14 +78,15 @@ SurfacePlanes surface_planes(const SeenWorld& seen, const DeviceTriangle& drawn,
   SurfacePlanes planes;
   planes.x0 = weights.x0;
   planes.y0 = weights.y0;
-  planes.nearness = seen.view.orthographic
-                        ? weights.of(corners[0].distance, corners[1].distance, corners[2].distance)
-                        : sum(sum(weights.corners[0], weights.corners[1]), weights.corners[2]);
+  planes.set(SurfacePlanes::kNearness,
+             seen.view.orthographic
+                 ? weights.of(corners[0].distance, corners[1].distance, corners[2].distance)
+                 : sum(sum(weights.corners[0], weights.corners[1]), weights.corners[2]));
   if (affine) weights = corner_weights(seen, drawn, true);
   const std::array<Vector3d, 3> normals = corner_normals(seen.world, triangle);
-  planes.nx = plane_of_normal(weights, normals, 0);
-  planes.ny = plane_of_normal(weights, normals, 1);
-  planes.nz = plane_of_normal(weights, normals, 2);
+  planes.set(SurfacePlanes::kX, plane_of_normal(weights, normals, 0));
+  planes.set(SurfacePlanes::kY, plane_of_normal(weights, normals, 1));
+  planes.set(SurfacePlanes::kZ, plane_of_normal(weights, normals, 2));
   return planes;
 }
 

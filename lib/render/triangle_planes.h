@@ -44,11 +44,20 @@ CornerWeights corner_weights(const SeenWorld& seen, const DeviceTriangle& drawn,
 /// The normals at the corners.
 std::array<Eigen::Vector3d, 3> corner_normals(const World& world, const WorldTriangle& triangle);
 
-/// What shading needs of a triangle at each sample.
+/// What shading needs of a triangle at each sample: four planes that start at (x0, y0), of 1/w
+/// (where orthographic of the distance along the view axis) and of the normal, of any length.
 struct SurfacePlanes {
+  static constexpr std::size_t kNearness = 0, kX = 1, kY = 2, kZ = 3;
   double x0 = 0, y0 = 0;
-  Plane nearness;    // 1/w, or where orthographic the distance along the view axis
-  Plane nx, ny, nz;  // of the normal, of any length
+  std::array<double, 4> start{}, dx{}, dy{};
+  std::array<float, 4> step{};  // dx
+
+  void set(std::size_t k, const Plane& plane) noexcept {
+    start[k] = plane.start;
+    dx[k] = plane.dx;
+    dy[k] = plane.dy;
+    step[k] = static_cast<float>(plane.dx);
+  }
 };
 
 SurfacePlanes surface_planes(const SeenWorld& seen, const DeviceTriangle& drawn, bool affine);

@@ -47,9 +47,9 @@ TEST(GatherHits, InVectorsIsTheDefinition) {
   for (SurfacePlanes& each : planes) {
     each.x0 = 70 + 20 * value(random);
     each.y0 = 5 * value(random);
-    each.nearness = {2 + value(random), value(random) / 100, value(random) / 100};
-    for (Plane* n : {&each.nx, &each.ny, &each.nz}) {
-      *n = {value(random), value(random) / 100, value(random) / 100};
+    each.set(0, {2 + value(random), value(random) / 100, value(random) / 100});
+    for (std::size_t k = 1; k < 4; ++k) {
+      each.set(k, {value(random), value(random) / 100, value(random) / 100});
     }
   }
   for (const bool orthographic : {false, true}) {
