@@ -42,10 +42,23 @@ struct Corner {
   FixedPoint at;
 };
 
-void add_triangle(const View& view, const Corner& a, const Corner& b, const Corner& c,
-                  const Source& source, std::vector<DeviceTriangle>& out) {
+// Whether no pixel's centre lies between two coordinates.
+bool between_centres(std::int32_t low, std::int32_t high, int bits) noexcept {
+  const std::int64_t half = std::int64_t{1} << (bits - 1);
+  return (high - half) >> bits < (low + half - 1) >> bits;
+}
+
+bool misses_centres(const FixedGrid& grid, const Corner& a, const Corner& b, const Corner& c) {
+  const auto [left, right] = std::minmax({a.at.x, b.at.x, c.at.x});
+  const auto [top, bottom] = std::minmax({a.at.y, b.at.y, c.at.y});
+  return between_centres(left, right, grid.bits) || between_centres(top, bottom, grid.bits);
+}
+
+void add_triangle(const View& view, const FixedGrid& grid, const Corner& a, const Corner& b,
+                  const Corner& c, const Source& source, std::vector<DeviceTriangle>& out) {
   const std::int64_t area = twice_area(a.at, b.at, c.at);
   if (area == 0 || (area < 0 && !source.two_sided)) return;
+  if (grid.centres_only && misses_centres(grid, a, b, c)) return;
   DeviceTriangle drawn;
   drawn.triangle = source.triangle;
   drawn.material = source.material;
@@ -99,18 +112,18 @@ void add_clipped(const View& view, const FixedGrid& grid, Polygon polygon, std::
     return Corner{polygon.at[i], fixed(grid, polygon.at[i])};
   };
   for (std::size_t i = 2; i < polygon.size; ++i) {
-    add_triangle(view, corner(0), corner(i - 1), corner(i), source, out);
+    add_triangle(view, grid, corner(0), corner(i - 1), corner(i), source, out);
   }
 }
 
 }  // namespace
 
-FixedGrid fixed_grid(int width, int height) noexcept {
+FixedGrid fixed_grid(int width, int height, int samples) noexcept {
   // The guard band makes the range of places 2^31 steps: their differences multiply to 2^62.
   const int side = std::max(width, height);
   const int bits = side <= 16384 ? 16 : 14;
   const double range = static_cast<double>(std::int64_t{1} << (31 - bits));
-  return {bits, std::floor((range - side) / 2) - 2};
+  return {bits, std::floor((range - side) / 2) - 2, samples == 1};
 }
 
 DeviceVertex device_vertex(const View& view, const FixedGrid& grid,
@@ -137,7 +150,7 @@ void add_device_triangles(const View& view, const FixedGrid& grid, const World& 
     const std::uint32_t planes = a.outside | b.outside | c.outside;
     const Source source{i, triangle.material, materials[triangle.material].two_sided};
     if (planes == 0) {
-      add_triangle(view, {a.point, a.at}, {b.point, b.at}, {c.point, c.at}, source, out);
+      add_triangle(view, grid, {a.point, a.at}, {b.point, b.at}, {c.point, c.at}, source, out);
     } else {
       Polygon polygon;
       for (const DeviceVertex* vertex : {&a, &b, &c}) polygon.add(vertex->point);

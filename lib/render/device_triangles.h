@@ -30,9 +30,10 @@ struct DeviceTriangle {
 struct FixedGrid {
   int bits = 16;
   double guard = 0;
+  bool centres_only = false;  // the only samples are the pixels' centres
 };
 
-FixedGrid fixed_grid(int width, int height) noexcept;
+FixedGrid fixed_grid(int width, int height, int samples = 1) noexcept;
 
 /// Twice the area in steps squared, above 0 where the corners run counter-clockwise for somebody
 /// who sees y upwards.
@@ -58,7 +59,8 @@ DeviceVertex device_vertex(const View& view, const FixedGrid& grid,
                            const Eigen::Vector3d& world) noexcept;
 
 /// What is seen of the triangles first..last - 1, in their order: nothing of what lies outside, of
-/// back faces whose material has one side, or of triangles that have no area in the picture.
+/// back faces whose material has one side, of triangles that have no area in the picture, or of
+/// those between two rows or columns of samples.
 void add_device_triangles(const View& view, const FixedGrid& grid, const World& world,
                           std::span<const DeviceVertex> vertices,
                           std::span<const SceneMaterial> materials, std::uint32_t first,

@@ -127,19 +127,20 @@ Frame frame_of(const PreparedScene& prepared, const Camera& camera, const Render
   const PictureSettings& picture = scene.picture;
   const View view = view_of(camera, picture.width, picture.height);
   const ColorPlan plan = color_plan(scene, options);
-  Frame frame{.scene = scene,
-              .options = options,
-              .seen = {prepared.world, view, fixed_grid(picture.width, picture.height),
-                       std::move(memory.vertices)},
-              .offsets = {},
-              .taps = {},
-              .plan = plan,
-              .data = data_plan(options),
-              .layout = plane_layout(plan.channels),
-              .channels = {},
-              .keeps = {},
-              .shader = SurfaceShader(scene, prepared.looks, view, plan),
-              .triangles = std::move(memory.triangles)};
+  Frame frame{
+      .scene = scene,
+      .options = options,
+      .seen = {prepared.world, view, fixed_grid(picture.width, picture.height, picture.samples),
+               std::move(memory.vertices)},
+      .offsets = {},
+      .taps = {},
+      .plan = plan,
+      .data = data_plan(options),
+      .layout = plane_layout(plan.channels),
+      .channels = {},
+      .keeps = {},
+      .shader = SurfaceShader(scene, prepared.looks, view, plan),
+      .triangles = std::move(memory.triangles)};
   set_vertices(frame.seen, options.threads);
   set_triangles(frame, memory.parts, options.threads);
   if (!prepared.edges.empty()) {
