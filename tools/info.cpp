@@ -1,6 +1,7 @@
 #include "tools/commands.h"
 #include "tools/palette_source.h"
 #include "tools/report.h"
+#include "tools/scene_facts.h"
 #include "tools/spool.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
@@ -15,7 +16,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kExamples =
     "  tristim render spheres -o spheres.exr\n"
     "  tristim info spheres.exr\n"
-    "  tristim info spheres.exr --json\n";
+    "  tristim info spheres.exr --json\n"
+    "  tristim info scene.toml model.glb\n";
 
 // Positions as runs: "0-7 9 12-15".
 std::string runs_text(const std::vector<std::size_t>& positions) {
@@ -155,10 +157,16 @@ void run_info(Arguments arguments) {
   std::vector<std::string> files;
   bool json = false;
   CommandLine line(*find_by_name(kCommands, "info"), kExamples);
-  line.positional("FILE", "pictures; - is standard input", files, 1, 1 << 20);
+  line.positional("FILE", "pictures, scenes (TOML), meshes (OBJ, glTF); - is standard input", files,
+                  1, 1 << 20);
   line.flag("--json", "print the facts as JSON, a line a file", json);
   if (!line.parse(arguments)) return;
   for (const std::string& file : files) {
+    if (is_scene_file(file)) {
+      const SceneFile scene = load_scene(file);
+      print(json ? json_line(scene_json(file, scene)) : scene_text(file, scene));
+      continue;
+    }
     if (file == "-") make_rereadable(file);
     const PictureFacts facts = picture_facts(file);
     const auto indices = index_facts(file);

@@ -108,6 +108,19 @@ TEST_F(Render, DrawsTheGallery) {
   refuses("render teapot --gallery -o g", 2, "--gallery: draws scenes of its own; leave out SCENE");
 }
 
+TEST_F(Render, InfoTellsWhatASceneHas) {
+  write("s.toml", kScene);
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
+  const auto facts = parsed(good("info s.toml --json"));
+  EXPECT_EQ(facts["triangles"], 2 * 64 * 31);
+  EXPECT_EQ(facts["lights"], 1);
+  EXPECT_EQ(facts["camera"]["eye"], nlohmann::json({0, 0, 5}));
+  EXPECT_EQ(facts["notes"].size(), 0U);
+  const std::string text = good("info m.obj");
+  EXPECT_NE(text.find("triangles     2, 1 of them without area: not drawn"), std::string::npos);
+  EXPECT_NE(text.find("materials     1: default"), std::string::npos);
+}
+
 TEST_F(Render, TellsWhatIsOddAboutAScene) {
   write("empty.toml", "");
   EXPECT_EQ(run("render empty.toml -o empty.exr").err,

@@ -1,16 +1,13 @@
 #include <tiny_gltf.h>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "lib/core/math.h"
-#include "lib/core/trigonometry.h"
+#include "lib/render/io/gltf_parts.h"
 #include "lib/render/io/gltf_values.h"
 #include "lib/render/io/read_scene.h"
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
-#include "tristim/light/fresnel.h"
 #include "tristim/light/vector.h"
 #include "tristim/render/io/model_file.h"
 
@@ -21,7 +18,7 @@ using detail::GltfValues;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-constexpr double kDegrees = 57.295779513082320876798;  // of a radian
+constexpr double kDegrees = detail::kDegreesPerGltfRadian;
 
 class GltfParser {
  public:
@@ -230,63 +227,21 @@ class GltfParser {
   void add_material(const tinygltf::Material& from) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     if (pbr.baseColorFactor.size() != 4) fail("baseColorFactor has not 4 numbers");
-    std::array<double, 4> base{};
-    for (std::size_t i = 0; i < 4; ++i) base[i] = std::clamp(pbr.baseColorFactor[i], 0.0, 1.0);
-    const double metallic = std::clamp(pbr.metallicFactor, 0.0, 1.0);
-    const double roughness = std::clamp(pbr.roughnessFactor, 0.0, 1.0);
-    SceneMaterial material{.name = from.name, .model = kMicrofacetReflection};
-    material.surface.od = {base[0], base[1], base[2]};
-    material.surface.kd = material.surface.ka = 1 - metallic;
-    material.surface.ks = 1;
-    // alpha = roughness^2 is the slope m; F0 is .04 of a dielectric, the base colour of a metal.
-    material.rough.facets.m = std::max(roughness * roughness, 0.01);
-    for (std::size_t i = 0; i < 3; ++i) {
-      constexpr double kMostF0 = 0.999;
-      const double f0 = (1 - metallic) * 0.04 + metallic * base[i];
-      material.rough.reflectors[i] = Dielectric{1, eta_from_f0(std::min(f0, kMostF0))};
-    }
-    if (from.alphaMode == "BLEND" && base[3] < 1) {
-      material.transparency = Transparency::kInterpolated;
-      material.transparent.kt = 1 - base[3];
-    }
+    detail::MetallicRoughness factors{.metallic = pbr.metallicFactor,
+                                      .roughness = pbr.roughnessFactor,
+                                      .blended = from.alphaMode == "BLEND"};
+    std::copy(pbr.baseColorFactor.begin(), pbr.baseColorFactor.end(), factors.base.begin());
+    SceneMaterial material = detail::metallic_material(factors);
+    material.name = from.name;
     material.two_sided = from.doubleSided;
     result_.materials.push_back(material);
   }
 
   Matrix4d placement_of(const tinygltf::Node& node) const {
-    Matrix4d placement = Matrix4d::Identity();
-    if (node.matrix.size() == 16) {
-      for (int i = 0; i < 16; ++i)
-        placement(i % 4, i / 4) = node.matrix[static_cast<std::size_t>(i)];
-    } else {
-      Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
-      if (node.rotation.size() == 4) linear = rotation_of(node.rotation);
-      if (node.scale.size() == 3) {
-        linear =
-            (linear * Vector3d(node.scale[0], node.scale[1], node.scale[2]).asDiagonal()).eval();
-      }
-      placement.topLeftCorner<3, 3>() = linear;
-      if (node.translation.size() == 3) {
-        placement.topRightCorner<3, 1>() << node.translation[0], node.translation[1],
-            node.translation[2];
-      }
-    }
+    const Matrix4d placement =
+        detail::node_placement(node.matrix, node.translation, node.rotation, node.scale);
     if (!placement.allFinite()) fail("node '" + node.name + "' is not placed in finite numbers");
     return placement;
-  }
-
-  static Eigen::Matrix3d rotation_of(const std::vector<double>& q) {
-    const double x = q[0];
-    const double y = q[1];
-    const double z = q[2];
-    const double w = q[3];
-    const double squared = x * x + y * y + z * z + w * w;
-    const double s = squared > 0 ? 2 / squared : 0;
-    Eigen::Matrix3d m;
-    m << 1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w),  //
-        s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w),   //
-        s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y);
-    return m;
   }
 
   void add_node(int number, const Matrix4d& parent, int depth) {
@@ -360,14 +315,6 @@ class GltfParser {
       fail("light '" + from.name + "' has the unknown type '" + from.type + "'");
     }
     result_.lights.push_back(light);
-  }
-
-  // glTF lets the light of a spot fade between two cones; cos^n is half of it in their middle.
-  static double spot_exponent(const tinygltf::SpotLight& spot) {
-    const double middle = kDegrees * (spot.innerConeAngle + spot.outerConeAngle) / 2;
-    const double cosine = detail::sine_cosine_deg(middle).cosine;
-    if (!(cosine > 0 && cosine < 1) || !(spot.innerConeAngle < spot.outerConeAngle)) return 0;
-    return std::min(detail::log(0.5) / detail::log(cosine), 1e6);
   }
 
   const std::string& file_;
