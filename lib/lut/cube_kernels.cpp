@@ -77,7 +77,9 @@ void trilinear_row(const CubeTable& cube, const float* in, float* out, std::size
     const auto [r, g, b] = at.fraction;
     for (int c = 0; c < 3; ++c) {
       const float* p = at.corner + c;
-      const auto along_red = [&](const float* q) { return (1 - r) * q[0] + r * q[red]; };
+      const auto along_red = [t = r, step = red](const float* q) {
+        return (1 - t) * q[0] + t * q[step];
+      };
       const float low = (1 - g) * along_red(p) + g * along_red(p + green);
       const float high = (1 - g) * along_red(p + blue) + g * along_red(p + blue + green);
       out[c] = (1 - b) * low + b * high;

@@ -308,9 +308,11 @@ class GltfParser {
     } else if (from.type == "point") {
       light.source = PointLight{position, intensity, falling};
     } else if (from.type == "spot") {
-      light.source = SpotLight{
-          position,  forward, from.spot.outerConeAngle * kDegrees, spot_exponent(from.spot),
-          intensity, falling};
+      const double inner = from.spot.innerConeAngle;
+      const double outer = from.spot.outerConeAngle;
+      light.source =
+          SpotLight{position,  forward, outer * kDegrees, detail::spot_exponent(inner, outer),
+                    intensity, falling};
     } else {
       fail("light '" + from.name + "' has the unknown type '" + from.type + "'");
     }
