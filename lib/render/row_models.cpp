@@ -1,6 +1,7 @@
 #include "lib/render/row_models.h"
 
 #include <algorithm>
+#include <array>
 #include <variant>
 
 #include "lib/light/product.h"
@@ -79,6 +80,47 @@ Light with_unit_intensity(Light light) {
   return light;
 }
 
+// Rows are within 1.1e-7 n of a highlight: where that is too much for a sharp one, its brightest
+// samples are those of the double functions.
+constexpr double kSharp = 100;
+
+void run_sharp(const RowModelJob& job, const RowModel& model, const SpecularModel& lobe,
+               const SurfaceRows& surface, const LightRows& out) {
+  RowModelJob matte{.material = job.material, .look = job.look};
+  matte.eye = job.eye;
+  matte.local_viewer = job.local_viewer;
+  matte.specular = false;
+  matte.ambient = job.ambient;
+  matte.lights = job.lights;
+  matte.colors = job.colors;
+  run_rows(matte, model, surface, out);
+  if (!job.specular) return;
+  const double n = job.material.surface.n;
+  const double exact_to = 4e-6 / (1.1e-7 * n);
+  const std::size_t size = surface.x.size();
+  std::array<std::vector<float>, 3> rows{std::vector<float>(size), std::vector<float>(size),
+                                         std::vector<float>(size)};
+  for (std::size_t k = 0; k < job.lights.size(); ++k) {
+    RowModelJob one{.material = job.material, .look = job.look};
+    one.eye = job.eye;
+    one.local_viewer = job.local_viewer;
+    one.lights = {job.lights[k]};
+    one.colors = {{{}, {1, 1, 1}}};
+    run_rows(one, model, surface, {rows[0], rows[1], rows[2]});
+    const Light unit = with_unit_intensity(job.lights[k]);
+    for (std::size_t i = 0; i < size; ++i) {
+      double highlight = double{rows[0][i]};
+      if (highlight == 0) continue;
+      if (highlight > exact_to) {
+        const Point p = point_of(job, surface, i);
+        const Incident arriving = incident(unit, p.at);
+        highlight = arriving.intensity.r * lobe.lobe(p.normal, arriving.to_light, p.to_eye, n);
+      }
+      add(out, i, product(highlight, job.colors[k].specular));
+    }
+  }
+}
+
 // f_att N.L rho_s for F = 1, and V.H, of each sample: in single precision, or by the double
 // functions of `light`.
 struct FacetRows {
@@ -144,8 +186,15 @@ void run_facets(const RowModelJob& job, const SurfaceRows& surface, const LightR
 
 void run_row_model(const RowModelJob& job, const SurfaceRows& surface, const LightRows& out) {
   const std::string_view model = job.material.model.name;
-  if (model == kPhongReflection.name) return run_rows(job, kPhongRows, surface, out);
-  if (model == kBlinnReflection.name) return run_rows(job, kBlinnPhongRows, surface, out);
+  const bool sharp = job.material.surface.n > kSharp;
+  if (model == kPhongReflection.name) {
+    if (sharp) return run_sharp(job, kPhongRows, kPhong, surface, out);
+    return run_rows(job, kPhongRows, surface, out);
+  }
+  if (model == kBlinnReflection.name) {
+    if (sharp) return run_sharp(job, kBlinnPhongRows, kBlinnPhong, surface, out);
+    return run_rows(job, kBlinnPhongRows, surface, out);
+  }
   if (model == kGoochReflection.name) return run_gooch(job, surface, out);
   if (row_dielectric(job.material) != nullptr) {
     return run_rows(job, kCookTorranceRows, surface, out);

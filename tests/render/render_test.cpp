@@ -136,7 +136,7 @@ struct Oracle {
 };
 
 TEST(RenderScene, IsWithin2e5OfTheDoubleEquations) {
-  for (const double exponent : {1.0, 20.0, 120.0}) {
+  for (const double exponent : {1.0, 20.0, 100.0, 120.0, 2000.0}) {
     for (const Shading& shading : kShadings) {
       SCOPED_TRACE(shading.name);
       Scene scene = test_scene(test_sphere(20, 10));
