@@ -32,8 +32,8 @@ print(facts["width"], facts["height"], "%.2f" % facts["mean_ciede2000"], facts["
       "%.2f" % facts["seconds"])'
 }
 
-picture=$out/spheres.exr
-"$tristim" render spheres --size 1280x720 -o "$picture" --force
+picture=$out/still-life.exr
+"$tristim" render still-life --size 1280x720 -o "$picture" --force
 
 captions=("Rendered light"$'\n'"1280 × 720 · linear EXR, clipped at 1=$picture")
 printf '%-14s %-10s %14s %10s %8s\n' device size 'mean CIEDE2000' bytes seconds
