@@ -78,6 +78,36 @@ void apply_stage(const GamutMap& stage, Band band, StageCounts& counts) {
   }
 }
 
+// The same for one colour in double.
+Rgb scaled(Rgb rgb, double gain) { return {gain * rgb.r, gain * rgb.g, gain * rgb.b}; }
+
+Rgb exact_stage(const Exposure& stage, Rgb rgb) { return scaled(rgb, detail::pow(2, stage.stops)); }
+
+Rgb exact_stage(const ToneMap& stage, Rgb rgb) {
+  const double luminance = stage.luminance * Eigen::Vector3d(rgb.r, rgb.g, rgb.b);
+  if (!(luminance > 0)) return rgb;
+  return scaled(rgb, stage.tone.exact(luminance, stage.white) / luminance);
+}
+
+Rgb exact_stage(const ConvertPrimaries& stage, Rgb rgb) {
+  if (stage.matrix.isIdentity(0)) return rgb;
+  const Eigen::Vector3d out = stage.matrix * Eigen::Vector3d(rgb.r, rgb.g, rgb.b);
+  return {out.x(), out.y(), out.z()};
+}
+
+Rgb exact_stage(const GamutMap& stage, Rgb rgb) {
+  const bool stays = stage.method.keeps_inside && in_gamut(rgb);
+  const Rgb mapped = stays ? rgb : stage.method.map(rgb, gamut_space(stage.srgb_from_device));
+  const auto inside = [](double x) { return std::min(std::max(0.0, x), 1.0); };  // NaN: 0
+  return {inside(mapped.r), inside(mapped.g), inside(mapped.b)};
+}
+
+template <typename T>
+T reinhard(T luminance, T white) noexcept {
+  const T shoulder = white > 0 ? 1 + luminance / (white * white) : 1;
+  return luminance * shoulder / (1 + luminance);
+}
+
 std::string row_text(const Eigen::Matrix3d& m, int row) {
   return shortest(m(row, 0)) + " " + shortest(m(row, 1)) + " " + shortest(m(row, 2));
 }
@@ -133,12 +163,19 @@ StepReport explain_stage(const GamutMap& stage) {
 }  // namespace
 
 float reinhard_luminance(float luminance, float white) noexcept {
-  const float shoulder = white > 0 ? 1 + luminance / (white * white) : 1;
-  return luminance * shoulder / (1 + luminance);
+  return reinhard(luminance, white);
+}
+
+double reinhard_luminance(double luminance, double white) noexcept {
+  return reinhard(luminance, white);
 }
 
 void apply(const Stage& stage, Band band, StageCounts& counts) {
   std::visit([&](const auto& s) { apply_stage(s, band, counts); }, stage);
+}
+
+Rgb apply(const Stage& stage, Rgb rgb) {
+  return std::visit([&](const auto& s) { return exact_stage(s, rgb); }, stage);
 }
 
 StepReport explain(const Stage& stage) {

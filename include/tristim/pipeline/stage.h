@@ -46,16 +46,19 @@ struct Exposure {
 struct ToneOperator {
   std::string_view name;
   float (*luminance)(float luminance, float white) noexcept;  // of a luminance above 0
+  double (*exact)(double luminance, double white) noexcept;   // the same in double
   std::string_view formula;
   std::string_view source;
 };
 
 /// L/(1 + L), and with a white W above 0 that comes out as 1: L (1 + L/W^2)/(1 + L).
 float reinhard_luminance(float luminance, float white) noexcept;
+double reinhard_luminance(double luminance, double white) noexcept;
 
 /// Every operator. The command line, the docs and the tests read this list.
 inline constexpr ToneOperator kToneOperators[] = {
-    {"reinhard", reinhard_luminance, "Ld = L (1 + L/W^2)/(1 + L), RGB Ld/L", "[Reinhard02 eq 4]"}};
+    {"reinhard", reinhard_luminance, reinhard_luminance, "Ld = L (1 + L/W^2)/(1 + L), RGB Ld/L",
+     "[Reinhard02 eq 4]"}};
 
 /// Scales each pixel so that its luminance goes through the operator; its chromaticity stays.
 struct ToneMap {
@@ -82,6 +85,9 @@ using Stage = std::variant<Exposure, ToneMap, ConvertPrimaries, GamutMap>;
 /// Applies a stage to a band in place. Rows do not depend on one another. Finite input gives finite
 /// output as long as no float overflows.
 void apply(const Stage& stage, Band band, StageCounts& counts);
+
+/// Takes one colour through a stage in double: what apply() on bands rounds to floats.
+Rgb apply(const Stage& stage, Rgb rgb);
 
 /// The step in words, with its numbers.
 StepReport explain(const Stage& stage);
