@@ -147,6 +147,18 @@ Complaint complaint(const LutMatrix& lut) {
   return "matrix with a number that is not finite";
 }
 
+LutRange range_of(const Lut1D& lut) { return lut.range; }
+LutRange range_of(const Lut3D& lut) { return lut.range; }
+LutRange range_of(const LutMatrix&) { return {}; }
+LutRange range_of(const LutPoints& lut) {
+  LutRange range;
+  for (std::size_t c = 0; c < 3; ++c) {
+    range.low[c] = lut.curves[c].in.front();
+    range.high[c] = lut.curves[c].in.back();
+  }
+  return range;
+}
+
 }  // namespace
 
 std::size_t curve_samples(int size) {
@@ -169,6 +181,11 @@ void check(const Lut& lut) {
     if (wrong.empty()) continue;
     throw std::invalid_argument("lut: step " + std::to_string(i + 1) + ": " + wrong);
   }
+}
+
+LutRange input_range(const Lut& lut) {
+  if (lut.steps.empty()) return {};
+  return std::visit([](const auto& step) { return range_of(step); }, lut.steps.front());
 }
 
 Rgb tetrahedral(const Lut3D& cube, Rgb rgb) noexcept {

@@ -108,6 +108,16 @@ RC_GTEST_PROP(Lut3D, ReproducesAffineMapsWithEveryInterpolation, ()) {
   }
 }
 
+TEST(InputRange, IsThatOfTheFirstStep) {
+  const LutRange range{{-1, 0, 0}, {1, 2, 3}};
+  EXPECT_EQ(input_range(Lut{}), LutRange{});
+  EXPECT_EQ(input_range({"", {LutMatrix{}, noise_cube(2, 1, range)}}), LutRange{});
+  EXPECT_EQ(input_range({"", {noise_cube(2, 1, range)}}), range);
+  const LutCurve curve{{-3, 1, 9}, {0, 1, 2}};
+  EXPECT_EQ(input_range({"", {LutPoints{{curve, curve, curve}}}}),
+            (LutRange{{-3, -3, -3}, {9, 9, 9}}));
+}
+
 TEST(CheckLut, SaysWhatIsWrong) {
   const std::vector<float> two(6, 0);
   EXPECT_EQ(complaint_of({"", {Lut1D{{}, 2, two}}}), "");

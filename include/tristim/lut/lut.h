@@ -75,6 +75,10 @@ inline constexpr int kMostCubeSize = 256;  // 201 MB
 /// ascend.
 void check(const Lut& lut);
 
+/// What goes into a LUT from end to end: the range of its first step, 0 to 1 where that is a matrix
+/// or there is none.
+LutRange input_range(const Lut& lut);
+
 /// The number of floats in the table of a cube or of curves, 3 size^3 or 3 size. Throws
 /// std::invalid_argument where `size` is out of bounds: before memory is asked for.
 std::size_t cube_samples(int size);
