@@ -12,6 +12,7 @@ void run_compare(Arguments arguments);
 void run_palette(Arguments arguments);
 void run_halftone(Arguments arguments);
 void run_levels(Arguments arguments);
+void run_lut(Arguments arguments);
 void run_device(Arguments arguments);
 void run_info(Arguments arguments);
 void run_shade(Arguments arguments);
@@ -33,6 +34,8 @@ inline constexpr Command kCommands[] = {
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
     {"halftone", "matrix|patterns|judge|levels|cells|screen|gallery ... [options]",
      "threshold matrices, patterns, cells and screens, made and judged", run_halftone},
+    {"lut", "bake|apply|invert|compose|info ... [options]",
+     "look-up tables: baked, applied, inverted, composed, described", run_lut},
     {"device", "list|show|check [D...] [options]", "list, show and check devices", run_device},
     {"info", "FILE... [options]", "what a picture file is", run_info},
     {"shade", "MODEL [IN [OUT]] [options]", "illumination models, evaluated row by row", run_shade},
