@@ -12,7 +12,8 @@ constexpr std::size_t kCellsEach = 16;
 }  // namespace
 
 std::vector<Color8> choose_best(const PaletteTask& task) {
-  const detail::ColorCells cells(task.entries, *task.metric);
+  const detail::TaskCells task_cells(task);
+  const detail::ColorCells& cells = task_cells.cells();
   const bool few = task.colors <= kFew;
   const bool by_cells =
       cells.cells.places.size() / kCellsEach >= static_cast<std::size_t>(task.colors);

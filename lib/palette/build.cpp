@@ -40,23 +40,29 @@ void check(const PaletteOptions& options) {
   }
 }
 
-// The colours of the histogram that are not there already.
-std::vector<Entry> open_entries(const Histogram& histogram, const PaletteOptions& options) {
-  std::set<Color8> there(options.fixed.begin(), options.fixed.end());
-  std::vector<Entry> entries = histogram.entries();
+const Metric& metric_of(const PaletteOptions& options) {
+  return options.metric != nullptr ? *options.metric : *find_by_name(kMetrics, "balanced");
+}
+
+// The colours that are not there already, in the order that the method takes.
+std::vector<Entry> open_entries(const Histogram& histogram, const PaletteMethod& method,
+                                const PaletteOptions& options) {
+  std::vector<Entry> entries = method.neighbours ? histogram.neighbours() : histogram.entries();
+  if (options.fixed.empty() && !options.transparent) return entries;
+  const std::set<Color8> there(options.fixed.begin(), options.fixed.end());
   std::erase_if(entries, [&](const Entry& entry) {
     return there.contains(entry.color) || (options.transparent && entry.color.a == 0);
   });
   return entries;
 }
 
-std::vector<Color8> chosen(const std::vector<Entry>& entries, const PaletteMethod& method,
-                           const PaletteTask& task) {
+std::vector<Color8> chosen(const PaletteMethod& method, const PaletteTask& task) {
   if (task.colors == 0) return {};
   if (method.needs_histogram) {
-    if (std::ssize(entries) > task.colors) return method.choose(task);
+    if (std::ssize(task.entries) > task.colors) return method.choose(task);
     std::vector<Color8> all;
-    for (const Entry& entry : entries) all.push_back(entry.color);
+    for (const Entry& entry : task.entries) all.push_back(entry.color);
+    std::sort(all.begin(), all.end());
     return all;
   }
   std::vector<Color8> palette = method.choose(task);
@@ -87,17 +93,17 @@ double luminance(Color8 c) {
 }
 
 // How many pixels are nearest to each colour.
-std::vector<std::uint64_t> popularity_of(const std::vector<Entry>& entries,
+std::vector<std::uint64_t> popularity_of(std::span<const Entry> entries,
                                          const std::vector<Color8>& palette, const Metric& metric) {
   std::vector<std::uint64_t> pixels(palette.size());
   if (entries.empty()) return pixels;
-  const detail::ColorCells cells(entries, metric);
+  const detail::ColorCells cells({entries.begin(), entries.end()}, metric);
   detail::Places places;
   const detail::Placer placer(metric);
   for (const Color8 c : palette) places.push_back(placer(c), 0);
   const detail::Nearest nearest = detail::nearest_entries(cells.colors, places);
-  for (std::size_t i = 0; i < cells.entry.size(); ++i) {
-    pixels[nearest.index[i]] += entries[cells.entry[i]].count;
+  for (std::size_t i = 0; i < cells.entries.size(); ++i) {
+    pixels[nearest.index[i]] += cells.entries[i].count;
   }
   return pixels;
 }
@@ -118,8 +124,8 @@ void sort_by(std::vector<Color8>& palette, const std::vector<Key>& keys) {
   palette = std::move(sorted);
 }
 
-void put_in_order(std::vector<Color8>& palette, PaletteOrder order,
-                  const std::vector<Entry>& entries, const Metric& metric) {
+void put_in_order(std::vector<Color8>& palette, PaletteOrder order, std::span<const Entry> entries,
+                  const Metric& metric) {
   if (order == PaletteOrder::kFound || palette.empty()) return;
   if (order == PaletteOrder::kLuminance) return sort_by(palette, std::vector<int>(palette.size()));
   if (order == PaletteOrder::kHue) {
@@ -132,18 +138,13 @@ void put_in_order(std::vector<Color8>& palette, PaletteOrder order,
   sort_by(palette, keys);
 }
 
-}  // namespace
-
-std::vector<Color8> build_palette(const Histogram& histogram, const PaletteMethod& method,
-                                  const PaletteOptions& options) {
-  check(options);
-  const Metric& metric =
-      options.metric != nullptr ? *options.metric : *find_by_name(kMetrics, "balanced");
-  const std::vector<Entry> entries = open_entries(histogram, options);
+std::vector<Color8> palette_of(std::span<const Entry> entries, const detail::ColorCells* cells,
+                               const PaletteMethod& method, const PaletteOptions& options) {
   const int room =
       options.colors - static_cast<int>(options.fixed.size()) - (options.transparent ? 1 : 0);
+  const Metric& metric = metric_of(options);
   std::vector<Color8> colors =
-      chosen(entries, method, {entries, room, &metric, options.fixed, options.bits, options.inks});
+      chosen(method, {entries, room, &metric, options.fixed, options.bits, options.inks, cells});
   put_in_order(colors, options.order, entries, metric);
 
   std::vector<Color8> palette = options.fixed;
@@ -153,6 +154,26 @@ std::vector<Color8> build_palette(const Histogram& histogram, const PaletteMetho
   if (palette.size() < index) palette.resize(index, palette.empty() ? Color8{} : palette.back());
   palette.insert(palette.begin() + *options.transparent, Color8{0, 0, 0, 0});
   return palette;
+}
+
+}  // namespace
+
+std::vector<Color8> build_palette(const Histogram& histogram, const PaletteMethod& method,
+                                  const PaletteOptions& options) {
+  check(options);
+  return palette_of(open_entries(histogram, method, options), nullptr, method, options);
+}
+
+Quantized quantize(const Histogram& histogram, const PaletteMethod& method,
+                   const PaletteOptions& options) {
+  check(options);
+  const Metric& metric = metric_of(options);
+  const detail::ColorCells cells(histogram.neighbours(), metric);
+  const bool shares = method.neighbours && options.fixed.empty() && !options.transparent;
+  std::vector<Color8> palette = shares ? palette_of(cells.entries, &cells, method, options)
+                                       : build_palette(histogram, method, options);
+  PaletteMap map(palette, metric, cells);
+  return {std::move(palette), std::move(map)};
 }
 
 }  // namespace tristim

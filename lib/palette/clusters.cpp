@@ -4,20 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/palette/color_cell.h"
+
 namespace tristim::detail {
 namespace {
-
-constexpr std::size_t kCells = std::size_t{1} << 18;
-
-// The cell of a colour; the 64 of a coarse cell are neighbours. Translucent colours go to the cell
-// of their colour: alpha varies little between neighbours.
-std::uint32_t cell_of(Color8 c) {
-  const auto bits = [&](int shift, std::uint32_t mask) {
-    return (c.r >> shift & mask) * (mask + 1) * (mask + 1) + (c.g >> shift & mask) * (mask + 1) +
-           (c.b >> shift & mask);
-  };
-  return bits(4, 15) << 6 | bits(2, 3);
-}
 
 float distance2(const Place& a, const Place& b) {
   float sum = 0;
@@ -176,29 +166,29 @@ std::vector<Cluster> clusters_of(const Places& places, const Nearest& nearest, s
 
 }  // namespace
 
-ColorCells::ColorCells(std::span<const Histogram::Entry> entries, const Metric& metric) {
-  std::vector<std::uint32_t> next(kCells + 1);
-  for (const auto& e : entries) ++next[cell_of(e.color) + 1];
-  for (std::size_t c = 0; c < kCells; ++c) next[c + 1] += next[c];
-  entry.resize(entries.size());
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    entry[next[cell_of(entries[i].color)]++] = static_cast<std::uint32_t>(i);
+ColorCells::ColorCells(std::vector<Histogram::Entry> sorted, const Metric& metric)
+    : entries(std::move(sorted)) {
+  // Translucent colours are in the cell of their colour: alpha varies little between neighbours.
+  const auto number = [](const Histogram::Entry& e) { return color_number(e.color); };
+  const auto before = [number](const Histogram::Entry& a, const Histogram::Entry& b) {
+    return number(a) != number(b) ? number(a) < number(b) : a.color.a < b.color.a;
+  };
+  if (!std::is_sorted(entries.begin(), entries.end(), before)) {
+    std::sort(entries.begin(), entries.end(), before);
   }
-  std::vector<Histogram::Entry> ordered;
-  ordered.reserve(entries.size());
-  for (const std::uint32_t i : entry) ordered.push_back(entries[i]);
-  colors.places = places_of(ordered, metric);
-
-  const auto cell = [&ordered](std::uint32_t i) { return cell_of(ordered[i].color); };
+  colors.places = places_of(entries, metric);
+  const auto cell = [&](std::uint32_t i) { return cell_of(number(entries[i])); };
   const std::vector<PlaceGroup> fine = groups_by(colors.places, {}, cell);
   for (const PlaceGroup& group : fine) {
     double weight = 0;
     for (std::uint32_t i = group.first; i < group.end; ++i) weight += colors.places.weight[i];
     cells.places.push_back(group.mean, static_cast<float>(weight));
   }
-  const auto coarse_cell = [&](std::uint32_t g) { return cell(fine[g].first) >> 6; };
-  colors.levels = {groups_by(cells.places, fine, coarse_cell), fine};
-  cells.levels = {groups_by(cells.places, {}, coarse_cell)};
+  const auto coarse = [&](std::uint32_t g) {
+    return coarse_cell_of(number(entries[fine[g].first]));
+  };
+  colors.levels = {groups_by(cells.places, fine, coarse), fine};
+  cells.levels = {groups_by(cells.places, {}, coarse)};
 }
 
 GroupedPlaces runs_of(Places places) {

@@ -25,11 +25,12 @@ struct GroupedPlaces {
 
 /// Colours by cells of 4 x 4 x 4 codes, those by cells of 16 x 16 x 16.
 struct ColorCells {
-  GroupedPlaces colors;
-  std::vector<std::uint32_t> entry;  // of each colour the entry that it came from
-  GroupedPlaces cells;               // the weighted means of the fine cells
+  std::vector<Histogram::Entry> entries;  // in the order of Histogram::neighbours()
+  GroupedPlaces colors;                   // their places
+  GroupedPlaces cells;                    // the weighted means of the fine cells
 
-  ColorCells(std::span<const Histogram::Entry> entries, const Metric& metric);
+  /// Entries in that order; in any other they are put into it.
+  ColorCells(std::vector<Histogram::Entry> colors, const Metric& metric);
 };
 
 /// Places in the order that they have, by runs: neighbours of a row are mostly alike.

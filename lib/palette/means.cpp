@@ -12,17 +12,18 @@ void fill_up(const PaletteTask& task, const ColorCells& cells, const Nearest& ne
              std::vector<Color8>& palette) {
   std::set<Color8> taken(palette.begin(), palette.end());
   taken.insert(task.fixed.begin(), task.fixed.end());
-  std::vector<std::uint32_t> worst(cells.entry.size());
+  std::vector<std::uint32_t> worst(cells.entries.size());
   for (std::uint32_t i = 0; i < worst.size(); ++i) worst[i] = i;
   const auto error = [&](std::uint32_t i) {
     return nearest.distance2[i] * cells.colors.places.weight[i];
   };
   std::sort(worst.begin(), worst.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return error(a) != error(b) ? error(a) > error(b) : cells.entry[a] < cells.entry[b];
+    if (error(a) != error(b)) return error(a) > error(b);
+    return cells.entries[a].color < cells.entries[b].color;
   });
   for (const std::uint32_t i : worst) {
     if (std::ssize(palette) == task.colors) return;
-    const Color8 color = task.entries[cells.entry[i]].color;
+    const Color8 color = cells.entries[i].color;
     if (taken.insert(color).second) palette.push_back(color);
   }
 }
@@ -58,9 +59,9 @@ std::vector<Color8> colors_of_means(const PaletteTask& task, const ColorCells& c
   const auto fixed = static_cast<std::uint32_t>(task.fixed.size());
   std::vector<Histogram::Entry> entries;
   std::vector<std::uint32_t> set;
-  for (std::size_t i = 0; i < cells.entry.size(); ++i) {
+  for (std::size_t i = 0; i < cells.entries.size(); ++i) {
     if (nearest.index[i] < fixed) continue;
-    entries.push_back(task.entries[cells.entry[i]]);
+    entries.push_back(cells.entries[i]);
     set.push_back(nearest.index[i] - fixed);
   }
   std::vector<Color8> palette;

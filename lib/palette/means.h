@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lib/palette/clusters.h"
@@ -7,6 +8,21 @@
 #include "tristim/palette/quantize.h"
 
 namespace tristim::detail {
+
+/// The cells of a task, its own or made for it.
+class TaskCells {
+ public:
+  explicit TaskCells(const PaletteTask& task) : given_(task.cells) {
+    if (given_ == nullptr) {
+      made_.emplace(std::vector(task.entries.begin(), task.entries.end()), *task.metric);
+    }
+  }
+  const ColorCells& cells() const noexcept { return given_ != nullptr ? *given_ : *made_; }
+
+ private:
+  const ColorCells* given_;
+  std::optional<ColorCells> made_;
+};
 
 /// Means to begin with: the fixed colours' places, then those of a principal cut.
 Places starting_means(const PaletteTask& task, const Places& places);

@@ -83,11 +83,7 @@ TEST(ColorCells, HoldEveryColourOnce) {
   }
   const auto entries = histogram.entries();
   const ColorCells cells(entries, *kMetrics.begin());
-  std::vector<bool> seen(entries.size());
-  for (const std::uint32_t i : cells.entry) {
-    EXPECT_FALSE(seen[i]);
-    seen[i] = true;
-  }
+  EXPECT_EQ(cells.entries, histogram.neighbours());
   double weight = 0;
   for (const float w : cells.cells.places.weight) weight += w;
   double expected = 0;

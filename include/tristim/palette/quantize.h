@@ -8,6 +8,7 @@
 
 #include "tristim/palette/histogram.h"
 #include "tristim/palette/metric.h"
+#include "tristim/palette/remap.h"
 
 namespace tristim {
 
@@ -29,14 +30,19 @@ inline constexpr std::array kPaletteOrders{
     NamedPaletteOrder{"hue", PaletteOrder::kHue},
     NamedPaletteOrder{"popularity", PaletteOrder::kPopularity}};
 
+namespace detail {
+struct ColorCells;
+}
+
 /// What a palette method is asked.
 struct PaletteTask {
-  std::span<const Histogram::Entry> entries;  // ascending; more than `colors`, none of them fixed
+  std::span<const Histogram::Entry> entries;  // more than `colors`; in the method's order
   int colors = 0;                             // to be chosen, 1 or more
   const Metric* metric = nullptr;             // where methods that measure do so
   std::span<const Color8> fixed;              // in the palette whatever is chosen
   std::array<int, 3> bits{};                  // of a fixed palette; 0: as `colors` allows
   std::vector<Color8> inks;                   // on white paper
+  const detail::ColorCells* cells = nullptr;  // `entries` with their places, where they are known
 };
 
 /// A way to choose the colours of a palette: at most `task.colors`, all distinct. Ties go to the
@@ -46,7 +52,8 @@ struct PaletteMethod {
   std::vector<Color8> (*choose)(const PaletteTask& task);
   bool needs_histogram;  // not: the same colours for every picture
   std::string_view source;
-  int always = 0;  // the colours that it has whatever is asked for; 0: no more than asked
+  int always = 0;           // the colours that it has whatever is asked for; 0: no more than asked
+  bool neighbours = false;  // takes entries in the order of Histogram::neighbours(), else ascending
 };
 
 /// The most frequent colours, most frequent first [Heckbert82].
@@ -92,14 +99,14 @@ std::vector<Color8> choose_best(const PaletteTask& task);
 
 /// Every method. The command line, the docs and the property tests read this list.
 inline constexpr std::array kPaletteMethods{
-    PaletteMethod{"best", choose_best, true, "docs/palettes.md"},
+    PaletteMethod{"best", choose_best, true, "docs/palettes.md", 0, true},
     PaletteMethod{"popularity", choose_popularity, true, "[Heckbert82]"},
     PaletteMethod{"median-cut", choose_median_cut, true, "[Heckbert82]"},
     PaletteMethod{"variance-cut", choose_variance_cut, true, "[Wan90]"},
     PaletteMethod{"principal-cut", choose_principal_cut, true, "[Orchard91]"},
     PaletteMethod{"wu", choose_wu, true, "[Wu92]"},
     PaletteMethod{"octree", choose_octree, true, "[Gervautz88]"},
-    PaletteMethod{"k-means", choose_k_means, true, "[Lloyd82]"},
+    PaletteMethod{"k-means", choose_k_means, true, "[Lloyd82]", 0, true},
     PaletteMethod{"fixed-332", choose_fixed_332, false, "[Shoaff 2.2.10]", 256},
     PaletteMethod{"fixed", choose_fixed, false, "[Shoaff 2.2.10]"},
     PaletteMethod{"uniform", choose_uniform, false, "a cube and a grey ramp"},
@@ -130,5 +137,16 @@ struct PaletteOptions {
 /// method's palette of more than colours, and for no ink or more than three.
 std::vector<Color8> build_palette(const Histogram& histogram, const PaletteMethod& method,
                                   const PaletteOptions& options);
+
+/// A palette and where its picture's colours go.
+struct Quantized {
+  std::vector<Color8> palette;
+  PaletteMap map;
+};
+
+/// build_palette() and the map to its colours in the same metric, with less work than both take.
+/// Throws as they do.
+Quantized quantize(const Histogram& histogram, const PaletteMethod& method,
+                   const PaletteOptions& options);
 
 }  // namespace tristim
