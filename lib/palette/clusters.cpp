@@ -68,6 +68,20 @@ struct Entries {
   }
 };
 
+// In lanes, whose steps do not wait for each other.
+float least_of(std::span<const float> numbers) {
+  std::array<float, 16> least;
+  least.fill(std::numeric_limits<float>::infinity());
+  std::size_t i = 0;
+  for (; i + least.size() <= numbers.size(); i += least.size()) {
+    for (std::size_t k = 0; k < least.size(); ++k) {
+      least[k] = numbers[i + k] < least[k] ? numbers[i + k] : least[k];
+    }
+  }
+  for (; i < numbers.size(); ++i) least[0] = std::min(least[0], numbers[i]);
+  return *std::min_element(least.begin(), least.end());
+}
+
 // Walks down the groups with the entries that can be nearest to one of their places.
 class GroupSearch {
  public:
@@ -91,7 +105,6 @@ class GroupSearch {
   // An entry that is nearest to a place of the group is at most two radii farther from its mean
   // than the one that is nearest to that; a little more for rounding.
   void keep_near(const PlaceGroup& group, const Entries& among, Entries& kept) {
-    float least = std::numeric_limits<float>::infinity();
     for (std::size_t k = 0; k < among.size; ++k) {
       float sum = 0;
       for (std::size_t a = 0; a < 4; ++a) {
@@ -99,8 +112,8 @@ class GroupSearch {
         sum += d * d;
       }
       distance2_[k] = sum;
-      least = std::min(least, sum);
     }
+    const float least = least_of({distance2_.data(), among.size});
     const float reach = (std::sqrt(least) + 2 * group.radius) * (1 + 1e-5F) + 1e-6F;
     kept.size = 0;
     for (std::size_t k = 0; k < among.size; ++k) {
@@ -151,16 +164,19 @@ double least_distance(const Places& places, const Nearest& nearest) {
 }
 
 std::vector<Cluster> clusters_of(const Places& places, const Nearest& nearest, std::size_t means,
-                                 bool by_distance) {
+                                 Lessen lessen) {
   std::vector<Cluster> clusters(means);
-  const double least = by_distance ? least_distance(places, nearest) : 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  const auto add = [&](std::size_t i, double w) {
     Cluster& cluster = clusters[nearest.index[i]];
-    double w = places.weight[i];
-    if (by_distance) w /= std::sqrt(double{nearest.distance2[i]}) + least;
     cluster.weight += w;
     for (std::size_t a = 0; a < 4; ++a) cluster.sum[a] += w * places.axis[a][i];
+  };
+  if (lessen == Lessen::kSquares) {
+    for (std::size_t i = 0; i < places.size(); ++i) add(i, places.weight[i]);
+    return clusters;
   }
+  const std::vector<double> weights = weights_for(lessen, places, nearest);
+  for (std::size_t i = 0; i < places.size(); ++i) add(i, weights[i]);
   return clusters;
 }
 
@@ -211,10 +227,21 @@ Nearest nearest_entries(const GroupedPlaces& places, const Places& entries) {
   return nearest;
 }
 
+std::vector<double> weights_for(Lessen lessen, const Places& places, const Nearest& nearest) {
+  std::vector<double> weights(places.weight.begin(), places.weight.end());
+  if (lessen == Lessen::kSquares) return weights;
+  const double least = least_distance(places, nearest);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double distance = std::sqrt(double{nearest.distance2[i]}) + least;
+    weights[i] /= lessen == Lessen::kDistances ? distance : std::sqrt(distance);
+  }
+  return weights;
+}
+
 void move_means(const GroupedPlaces& places, const MeanRounds& rounds, Places& means) {
   for (int round = 0; round < rounds.rounds; ++round) {
     const Nearest nearest = nearest_entries(places, means);
-    const auto clusters = clusters_of(places.places, nearest, means.size(), rounds.distances);
+    const auto clusters = clusters_of(places.places, nearest, means.size(), rounds.lessen);
     for (std::size_t k = rounds.fixed; k < means.size(); ++k) {
       if (!(clusters[k].weight > 0)) continue;
       for (std::size_t a = 0; a < 4; ++a) {

@@ -45,11 +45,18 @@ struct Nearest {
 /// only those that can be nearest to one of its places.
 Nearest nearest_entries(const GroupedPlaces& places, const Places& entries);
 
+/// What means lessen: the squares of distances, distances, or what lies between (to the power of
+/// 1.5).
+enum class Lessen { kSquares, kBetween, kDistances };
+
+/// What each place weighs: by its weight, and 1/distance or its root for what is to be lessened.
+std::vector<double> weights_for(Lessen lessen, const Places& places, const Nearest& nearest);
+
 /// How means move.
 struct MeanRounds {
   int rounds = 0;
-  std::size_t fixed = 0;   // of the means, the first, which stay where they are
-  bool distances = false;  // weigh places by 1/distance: lessens the mean distance, not its square
+  std::size_t fixed = 0;  // of the means, the first, which stay where they are
+  Lessen lessen = Lessen::kSquares;
 };
 
 /// Moves each of `means` to the weighted mean of the places nearest to it, over and over [Lloyd82].

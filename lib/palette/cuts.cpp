@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <queue>
 
 #include "tristim/palette/quantize.h"
 
@@ -80,15 +81,22 @@ class Cutter {
 
   std::vector<std::uint32_t> run(int sets) {
     std::vector<Set> all{judged(order_)};
-    while (std::ssize(all) < sets) {
-      const auto worst = std::max_element(
-          all.begin(), all.end(), [](const Set& a, const Set& b) { return a.gain < b.gain; });
-      if (!(worst->gain > 0)) break;
+    const auto gains_less = [&all](std::size_t a, std::size_t b) {
+      return all[a].gain != all[b].gain ? all[a].gain < all[b].gain : a > b;
+    };
+    std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(gains_less)> open(
+        gains_less);
+    open.push(0);
+    while (std::ssize(all) < sets && all[open.top()].gain > 0) {
+      const std::size_t worst = open.top();
+      open.pop();
       double gained = 0;
-      const std::size_t first = best_cut(worst->members, worst->direction, gained);
-      const auto members = worst->members;
-      *worst = judged(members.first(first));
+      const auto members = all[worst].members;
+      const std::size_t first = best_cut(members, all[worst].direction, gained);
+      all[worst] = judged(members.first(first));
       all.push_back(judged(members.subspan(first)));
+      open.push(worst);
+      open.push(all.size() - 1);
     }
     std::vector<std::uint32_t> set(places_.size());
     for (std::size_t s = 0; s < all.size(); ++s) {

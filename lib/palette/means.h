@@ -24,12 +24,14 @@ class TaskCells {
   std::optional<ColorCells> made_;
 };
 
-/// Means to begin with: the fixed colours' places, then those of a principal cut.
-Places starting_means(const PaletteTask& task, const Places& places);
+/// Means to begin with: the fixed colours' places, then those of the sets of a principal cut;
+/// `merged`: of more sets, which are merged.
+Places starting_means(const PaletteTask& task, const Places& places, bool merged = false);
 
-/// The colours that are nearest to each mean but the fixed ones, as their mean in codes; those of
-/// means without colours, or with an equal mean, are the farthest from what is there.
+/// The colours that are nearest to each mean but the fixed ones, as their mean in codes, weighted
+/// for what is lessened; those of means without colours, or with an equal mean, are the farthest
+/// from what is there.
 std::vector<Color8> colors_of_means(const PaletteTask& task, const ColorCells& cells,
-                                    const Places& means);
+                                    const Places& means, Lessen lessen = Lessen::kSquares);
 
 }  // namespace tristim::detail

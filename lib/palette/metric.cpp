@@ -1,6 +1,7 @@
 #include "tristim/palette/metric.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/color/curve_table.h"
 #include "tristim/color/lab.h"
@@ -22,11 +23,16 @@ constexpr double kToe = 0.3;
 // until greys of a few inks lose their tone.
 constexpr double kLightness = 1.3;
 
-// Share of the codes in the balanced metric.
+// The balanced metric: share of the codes, weights of Oklab's axes, how fast its chroma gives way,
+// and light without which the darkest colours would take entries that nobody sees. What lessens
+// CIEDE2000, S-CIELAB and squares of codes most evenly beside libimagequant, over eight
+// photographs of 256 colours.
 constexpr float kCodes = 0.5F;
-
-// Without it the darkest colours would take entries that nobody sees.
-constexpr double kBalancedToe = 0.0005;
+constexpr float kBalancedL = 0.64F;
+constexpr float kBalancedA = 1.1F;
+constexpr float kBalancedB = 1.27F;
+constexpr float kBalancedChroma = 3.0F;
+constexpr double kBalancedToe = 0.0037;
 
 std::array<float, 3> floats(double a, double b, double c) noexcept {
   return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)};
@@ -41,9 +47,11 @@ Xyz srgb_xyz(Rgb rgb) noexcept {
 std::array<float, 3> balanced(const std::array<float, 3>& oklab,
                               const std::array<float, 3>& rgb) noexcept {
   const auto [r, g, b] = rgb;
-  return {1.2F * oklab[0] + kCodes * (0.5183F * r + 0.7457F * g + 0.4186F * b),
-          2.0F * oklab[1] + kCodes * (0.8214F * r - 0.5703F * g),
-          2.0F * oklab[2] + kCodes * (0.2379F * r + 0.3444F * g - 0.9082F * b)};
+  const float chroma2 = oklab[1] * oklab[1] + oklab[2] * oklab[2];
+  const float fades = 1 / (1 + kBalancedChroma * std::sqrt(chroma2));
+  return {kBalancedL * oklab[0] + kCodes * (0.5183F * r + 0.7457F * g + 0.4186F * b),
+          kBalancedA * fades * oklab[1] + kCodes * (0.8214F * r - 0.5703F * g),
+          kBalancedB * fades * oklab[2] + kCodes * (0.2379F * r + 0.3444F * g - 0.9082F * b)};
 }
 
 const RowConversion& oklab_row() {
@@ -87,8 +95,7 @@ std::array<float, 3> encoded_place(Rgb linear_srgb) noexcept {
           encode(static_cast<float>(linear_srgb.b))};
 }
 
-// Oklab, its chroma doubled and its lightness a fifth up, and codes turned so that their axes run
-// along Oklab's.
+// Oklab and codes turned so that their axes run along Oklab's.
 std::array<float, 3> balanced_place(Rgb linear_srgb) noexcept {
   const Oklab ok = linear_srgb_to_oklab({std::clamp(linear_srgb.r, 0.0, 1.0) + kBalancedToe,
                                          std::clamp(linear_srgb.g, 0.0, 1.0) + kBalancedToe,
