@@ -44,6 +44,30 @@ def compare(title, commands, runs):
               f"{memory / first[1]:12.2f}")
 
 
+def palette_commands(tristim):
+    """What makes indexed.png of true.png, which it makes first."""
+    subprocess.run([tristim, "process", "spheres.exr", "-d", "srgb", "-o", "true.png", "--quiet"],
+                   check=True)
+    commands = {"tristim best": [tristim, "process", "true.png", "-d", "srgb", "--palette", "best:256",
+                                 "--dither", "none", "-o", "indexed.png", "--quiet", "--force"],
+                "tristim build": [tristim, "palette", "build", "true.png", "-n", "256"]}
+    if shutil.which("pngquant"):
+        commands["pngquant, slowest"] = ["pngquant", "--nofs", "--speed", "1", "--force", "--output",
+                                         "indexed.png", "256", "true.png"]
+    if shutil.which("convert"):
+        commands["ImageMagick"] = ["convert", "true.png", "+dither", "-colors", "256",
+                                   "PNG8:indexed.png"]
+    if shutil.which("ffmpeg"):
+        commands["ffmpeg"] = ["ffmpeg", "-y", "-i", "true.png", "-lavfi",
+                              "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none",
+                              "indexed.png"]
+    pillow = [sys.executable, "-c", "from PIL import Image; Image.open('true.png').convert('RGB')"
+              ".quantize(256, dither=Image.Dither.NONE).save('indexed.png')"]
+    if subprocess.run([sys.executable, "-c", "import PIL"], stderr=subprocess.DEVNULL).returncode == 0:
+        commands["Pillow"] = pillow
+    return commands
+
+
 def main():
     if len(sys.argv) < 2:
         raise SystemExit(__doc__)
@@ -68,6 +92,7 @@ def main():
         compare("the same picture to devices", {
             device: process + ["-d", device, "-o", "e.png"]
             for device in ("srgb", "laser-300", "epaper-4grey", "epaper-7color")}, runs)
+        compare("256 colours for 3840x2160 8-bit PNG, no dither", palette_commands(tristim), runs)
         compare("start", {"tristim --help": [tristim, "--help"],
                           "tristim levels": [tristim, "levels"],
                           "tristim convert": [tristim, "convert", "--to", "lab", "red"]}, runs)

@@ -74,19 +74,47 @@ BENCHMARK_CAPTURE(choose, best_16, "best", 16)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(choose, best_256, "best", 256)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(choose, best_4096, "best", 4096)->Unit(benchmark::kMillisecond);
 
-// All of it: the picture's codes to positions.
-void best_and_map(benchmark::State& state) {
-  const auto& metric = *find_by_name(kMetrics, "balanced");
-  Raster<std::uint16_t> positions(kWidth, kHeight, 1);
-  photograph();
+// Choosing alone, which grows no faster than K log K with K colours.
+void best_of(benchmark::State& state) {
+  const Histogram histogram = counted();
   for (auto _ : state) {
-    const Histogram histogram = counted();
-    const auto palette = build_palette(histogram, *find_by_name(kPaletteMethods, "best"), {});
-    PaletteMap(histogram, palette, metric).map(photograph().view(), positions.view());
+    benchmark::DoNotOptimize(build_palette(histogram, *find_by_name(kPaletteMethods, "best"),
+                                           {.colors = static_cast<int>(state.range(0))}));
+  }
+}
+BENCHMARK(best_of)->RangeMultiplier(8)->Range(2, 65536)->Unit(benchmark::kMillisecond);
+
+// All of it: the picture's codes to positions, of its upper rows.
+void best_and_map(benchmark::State& state) {
+  const auto rows = static_cast<int>(state.range(0));
+  Raster<std::uint16_t> positions(kWidth, rows, 1);
+  const auto codes = photograph().view().rows(0, rows);
+  for (auto _ : state) {
+    Histogram histogram;
+    histogram.add(codes);
+    const Quantized best = quantize(histogram, *find_by_name(kPaletteMethods, "best"), {});
+    best.map.map(codes, positions.view());
     benchmark::DoNotOptimize(positions.view().data);
   }
 }
-BENCHMARK(best_and_map)->Unit(benchmark::kMillisecond);
+BENCHMARK(best_and_map)
+    ->Arg(kHeight)
+    ->Arg(kHeight / 2)
+    ->Arg(kHeight / 4)
+    ->Unit(benchmark::kMillisecond);
+
+// For scale.
+void copy(benchmark::State& state) {
+  const auto& picture = photograph();
+  Raster<std::uint8_t> to(kWidth, kHeight, 3);
+  for (auto _ : state) {
+    for (int y = 0; y < kHeight; ++y) {
+      std::ranges::copy(picture.view().row(y), to.view().row(y).begin());
+    }
+    benchmark::DoNotOptimize(to.view().data);
+  }
+}
+BENCHMARK(copy)->Unit(benchmark::kMillisecond);
 
 #ifdef TRISTIM_IMAGEQUANT
 void imagequant(benchmark::State& state) {

@@ -28,7 +28,8 @@ constexpr std::string_view kExamples =
     "  tristim palette build a.exr --histogram-out a.hist\n"
     "  tristim palette build b.exr --histogram-out b.hist\n"
     "  tristim palette build -n 16 --merge-histograms a.hist b.hist -o merged.gpl\n"
-    "  tristim palette build b.exr -n 16 --previous shared.gpl -o next.gpl\n";
+    "  tristim palette build b.exr -n 16 --previous shared.gpl -o next.gpl\n"
+    "  tristim palette build a.exr -n 16 --weights contrast --alpha entries --mask a.exr\n";
 
 // What of the pipeline lies in front of a palette.
 constexpr std::string_view kPictureSettings[] = {"layer",  "size",       "fit",      "filter",
@@ -41,7 +42,8 @@ struct Options {
   std::vector<std::string> inputs, histograms;
   std::string method = std::string(kPaletteMethods[0].name);
   std::string output, format, histogram_out, device = "srgb", fixed, previous, order, metric;
-  std::string transparent;
+  std::string transparent, alpha, weights;
+  Counting counting;
   int colors = 0;
   int threads = 0;
   Settings settings;
@@ -64,7 +66,7 @@ Histogram count_inputs(const Options& options, const Display& display) {
     if (input != "-" && is_histogram(input)) {
       merge_histogram_text(read_text_file(input), input, all);
     } else {
-      all.merge(count_colors(options.settings, display, input, options.threads));
+      all.merge(count_colors(options.settings, display, input, options.threads, options.counting));
     }
   }
   return all;
@@ -189,6 +191,16 @@ void declare(CommandLine& line, Options& options, std::vector<GivenSetting>& giv
               options.order);
   line.option("--metric", list_names(kMetrics, "|"), "in which methods measure; default: balanced",
               options.metric);
+  line.option(
+      "--alpha", list_names(kAlphaModes, "|"),
+      "translucent pixels: over the background, half covered ones alone, or as entries with "
+      "alpha; default: premultiplied",
+      options.alpha);
+  line.option("--weights", list_names(kPaletteWeights, "|"),
+              "what makes a colour count: its pixels, or those in flat areas more; default: count",
+              options.weights);
+  line.option("--mask", "PICTURE", "how much each pixel counts: black not at all, white most",
+              options.counting.mask);
   line.option("-d,--device", "D", "for whose response colours are counted; default: srgb",
               options.device);
   line.option(
@@ -214,18 +226,25 @@ void check(const Options& options) {
     if (!path->empty()) outputs.push_back(*path);
   }
   refuse_missing_inputs(options.inputs);
+  if (!options.counting.mask.empty()) refuse_missing_inputs({options.counting.mask});
   refuse_inputs_as_outputs(options.inputs, outputs);
   refuse_taken_outputs(outputs, options.force);
 }
 
+// Two hexadecimal digits; none where a colour is opaque.
+std::string alpha_digits(double alpha) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  const auto code = static_cast<unsigned>(alpha * 255 + 0.5);
+  if (code >= 255) return "";
+  return {kDigits[code >> 4], kDigits[code & 15]};
+}
+
 void print_facts(const Options& options, const Histogram& counted, const Palette& palette) {
-  nlohmann::ordered_json json{{"output", options.output},
-                              {"method", options.method},
-                              {"distinct", counted.entries().size()}};
+  nlohmann::ordered_json json{
+      {"output", options.output}, {"method", options.method}, {"distinct", counted.size()}};
   json["colors"] = nlohmann::ordered_json::array();
   for (const PaletteColor& entry : palette.colors) {
-    json["colors"].push_back(entry.alpha < 1 ? hex_text(entry.color) + "00"
-                                             : hex_text(entry.color));
+    json["colors"].push_back(hex_text(entry.color) + alpha_digits(entry.alpha));
   }
   print(json_line(json));
 }
@@ -242,6 +261,8 @@ void run_palette_build(Arguments arguments) {
   check(options);
   const PaletteMethod& method = choice("--method", kPaletteMethods, options.method);
   const PaletteOptions wanted = palette_options(options);
+  options.counting.alpha = choice("--alpha", kAlphaModes, options.alpha).mode;
+  options.settings.palette_weights = choice("--weights", kPaletteWeights, options.weights).weights;
   const bool text = options.output.empty();
   const PaletteFormat& format =
       palette_format_of(options.output, text && options.format.empty() ? "hex" : options.format);

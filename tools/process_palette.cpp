@@ -150,6 +150,49 @@ class CoverageRows final : public RowSource {
   PictureInfo info_;
 };
 
+/// A picture's colours as they are where they are seen at all: not premultiplied.
+class UncoveredRows final : public RowSource {
+ public:
+  explicit UncoveredRows(std::unique_ptr<RowSource> picture)
+      : picture_(std::move(picture)), info_(picture_->info()) {
+    info_.channels = 3;
+  }
+
+  const PictureInfo& info() const noexcept override { return info_; }
+
+  void read(ImageView<float> rows) override {
+    Image four(rows.width, rows.height, 4);
+    picture_->read(four.view());
+    for (int y = 0; y < rows.height; ++y) {
+      for (int x = 0; x < rows.width; ++x) {
+        const float* const from = four.view().pixel(x, y);
+        for (int c = 0; c < 3; ++c) {
+          rows.pixel(x, y)[c] = from[3] > 0 ? from[c] / from[3] : 0.0F;
+        }
+      }
+    }
+  }
+
+ private:
+  std::unique_ptr<RowSource> picture_;
+  PictureInfo info_;
+};
+
+// How much each pixel counts, turned and fitted as the picture is; null where nothing is named.
+std::unique_ptr<RowSource> open_mask(const std::string& mask, const Display& display,
+                                     const Settings& settings, const PictureInfo& picture,
+                                     int threads) {
+  if (mask.empty()) return nullptr;
+  auto rows = prepare(open_picture(mask, {.threads = threads}), display, settings, nullptr);
+  const PictureInfo& info = rows->info();
+  if (info.width == picture.width && info.height == picture.height) return rows;
+  throw Error(ErrorKind::kContent, mask,
+              "is " + std::to_string(info.width) + "x" + std::to_string(info.height) +
+                  " where the picture is " + std::to_string(picture.width) + "x" +
+                  std::to_string(picture.height),
+              "give a mask of the picture's size, or --size");
+}
+
 }  // namespace
 
 PaletteDisplay choose_palette(const ProcessOptions& options, const Display& device,
@@ -173,12 +216,21 @@ PaletteDisplay choose_palette(const ProcessOptions& options, const Display& devi
 }
 
 Histogram count_colors(const Settings& settings, const Display& display, const std::string& input,
-                       int threads) {
+                       int threads, const Counting& counting) {
   make_rereadable(input);
-  const auto picture = prepare(open_picture(input, {.layer = settings.layer, .threads = threads}),
-                               display, settings, nullptr);
+  CountOptions options{.weights = settings.palette_weights, .alpha = counting.alpha};
+  auto source = open_picture(input, {.layer = settings.layer, .threads = threads});
+  std::unique_ptr<RowSource> coverage;
+  if (counting.alpha != AlphaMode::kOver && source->info().channels == 4) {
+    coverage = open_coverage(input, display, settings, threads);
+    source = std::make_unique<UncoveredRows>(std::move(source));
+  }
+  const auto picture = prepare(std::move(source), display, settings, nullptr);
+  const auto mask = open_mask(counting.mask, display, settings, picture->info(), threads);
+  options.coverage = coverage.get();
+  options.mask = mask.get();
   const StageList stages = stage_list(picture->info(), display, settings);
-  return histogram(*picture, stages, display, {.threads = threads}, settings.palette_weights);
+  return histogram(*picture, stages, display, {.threads = threads}, options);
 }
 
 FrameInfo palette_frame_info(const PaletteDisplay& palette, int width, int height) {

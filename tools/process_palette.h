@@ -25,9 +25,16 @@ struct PaletteDisplay {
 PaletteDisplay choose_palette(const ProcessOptions& options, const Display& device,
                               const std::vector<std::string>& inputs, bool indexed);
 
-/// Counts the colours of a picture as the device will be asked for them; see histogram().
+/// What counts of a picture beside its settings.
+struct Counting {
+  AlphaMode alpha = AlphaMode::kOver;  // over the background, or as CountOptions has it
+  std::string mask;                    // a picture: how much pixels count; empty: all alike
+};
+
+/// Counts the colours of a picture as the device will be asked for them; see histogram(). Throws
+/// Error (kContent) for a mask of another size.
 Histogram count_colors(const Settings& settings, const Display& display, const std::string& input,
-                       int threads);
+                       int threads, const Counting& counting = {});
 
 /// What writers need to know of such a frame: its palette has the transparent entry in its place.
 FrameInfo palette_frame_info(const PaletteDisplay& palette, int width, int height);

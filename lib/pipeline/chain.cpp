@@ -27,26 +27,88 @@ int cells_of(int pixels, int cell) {
               "give another size, or cells that divide it");
 }
 
+// The first channel of the next rows of a source.
+class ChannelRows {
+ public:
+  explicit ChannelRows(RowSource* source) : source_(source) {}
+
+  bool given() const noexcept { return source_ != nullptr; }
+
+  void next(int rows) {
+    const PictureInfo& info = source_->info();
+    rows_ = Image(info.width, rows, info.channels);
+    source_->read(rows_.view());
+  }
+
+  // 0 .. 255.
+  std::uint16_t code(int x, int y) {
+    return static_cast<std::uint16_t>(std::clamp(rows_.view().pixel(x, y)[0], 0.0F, 1.0F) * 255 +
+                                      0.5F);
+  }
+
+ private:
+  RowSource* source_;
+  Image rows_;
+};
+
 // Counts codes instead of writing them.
 class HistogramSink : public CodeSink {
  public:
-  HistogramSink(Histogram& histogram, PaletteWeights weights)
-      : histogram_(histogram), weights_(weights) {}
+  HistogramSink(Histogram& histogram, const CountOptions& options)
+      : histogram_(histogram),
+        options_(options),
+        mask_(options.mask),
+        coverage_(options.alpha == AlphaMode::kOver ? nullptr : options.coverage) {}
 
   void write(ImageView<const std::uint16_t> rows) override {
-    if (weights_ == PaletteWeights::kCount) return histogram_.add(rows);
+    const bool by_contrast = options_.weights == PaletteWeights::kContrast;
+    if (!by_contrast && !mask_.given() && !coverage_.given()) return histogram_.add(rows);
     Raster<std::uint16_t> weights(rows.width, rows.height, 1);
-    contrast_weights(rows, above_, weights.view());
-    histogram_.add(rows, weights.view());
-    const auto last = rows.row(rows.height - 1);
-    above_.assign(last.begin(), last.end());
+    std::fill_n(weights.view().data, rows.width * rows.height, std::uint16_t{1});
+    if (by_contrast) weigh_by_contrast(rows, weights.view());
+    if (mask_.given()) {
+      mask_.next(rows.height);
+      for_each_pixel(rows, [&](int x, int y) {
+        std::uint16_t& weight = *weights.view().pixel(x, y);
+        weight = static_cast<std::uint16_t>(weight * mask_.code(x, y));
+      });
+    }
+    if (!coverage_.given()) return histogram_.add(rows, weights.view());
+    count_covered(rows, weights.view());
   }
 
   void finish() override {}
 
  private:
+  template <typename F>
+  static void for_each_pixel(ImageView<const std::uint16_t> rows, F&& f) {
+    for (int y = 0; y < rows.height; ++y) {
+      for (int x = 0; x < rows.width; ++x) f(x, y);
+    }
+  }
+
+  void weigh_by_contrast(ImageView<const std::uint16_t> rows, ImageView<std::uint16_t> weights) {
+    contrast_weights(rows, above_, weights);
+    const auto last = rows.row(rows.height - 1);
+    above_.assign(last.begin(), last.end());
+  }
+
+  void count_covered(ImageView<const std::uint16_t> rows, ImageView<const std::uint16_t> weights) {
+    coverage_.next(rows.height);
+    Histogram counted;
+    for_each_pixel(rows, [&](int x, int y) {
+      const std::uint16_t* const p = rows.pixel(x, y);
+      const auto code = [](std::uint16_t value) { return static_cast<std::uint8_t>(value); };
+      counted.add({code(p[0]), code(p[1]), code(p[2]), code(coverage_.code(x, y))},
+                  *weights.pixel(x, y));
+    });
+    histogram_.merge(with_alpha(counted, options_.alpha));
+  }
+
   Histogram& histogram_;
-  PaletteWeights weights_;
+  CountOptions options_;
+  ChannelRows mask_;
+  ChannelRows coverage_;
   std::vector<std::uint16_t> above_;  // the row before the next ones
 };
 
@@ -122,12 +184,12 @@ ReduceOptions reduce_options(const Display& display, const Settings& settings) {
 }
 
 Histogram histogram(RowSource& picture, const StageList& stages, const Display& display,
-                    const RunOptions& options, PaletteWeights weights) {
+                    const RunOptions& options, const CountOptions& counting) {
   Display counted;                        // sRGB codes of 8 bits ...
   counted.primaries = display.primaries;  // ... in the device's primaries
   Reducer reducer(counted, {}, picture.info().width);
   Histogram result;
-  HistogramSink sink(result, weights);
+  HistogramSink sink(result, counting);
   run(picture, stages.stages, reducer, sink, {}, options);
   return result;
 }

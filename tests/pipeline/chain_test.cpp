@@ -108,6 +108,31 @@ TEST(PictureHistogram, CountsTheCodesThatTheDeviceWillBeAskedFor) {
   EXPECT_EQ(entries[2].count, 18U);
 }
 
+TEST(PictureHistogram, WeighsByAMaskAndByCoverage) {
+  const auto counted = [](AlphaMode alpha, bool masked) {
+    Image image = flat_picture(3, 2, 1, 1, 1);
+    image.view().pixel(0, 0)[0] = 0;
+    Image cover = flat_picture(3, 2, 1, 1, 1);
+    cover.view().pixel(0, 0)[0] = 0.4F;
+    Image mask = flat_picture(3, 2, 0, 0, 0);
+    mask.view().pixel(0, 0)[0] = 1;
+    mask.view().pixel(1, 1)[0] = 0.2F;
+    ImageSource source(std::move(image));
+    ImageSource coverage(std::move(cover));
+    ImageSource weights(std::move(mask));
+    const CountOptions options{
+        .mask = masked ? &weights : nullptr, .coverage = &coverage, .alpha = alpha};
+    return histogram(source, stage_list({}, {}, {}), {}, {}, options).entries();
+  };
+  using Entries = std::vector<Histogram::Entry>;
+  const Color8 cyan{0, 255, 255};
+  const Color8 white{255, 255, 255};
+  EXPECT_EQ(counted(AlphaMode::kOver, false), (Entries{{cyan, 1}, {white, 5}}));
+  EXPECT_EQ(counted(AlphaMode::kOver, true), (Entries{{cyan, 255}, {white, 51}}));
+  EXPECT_EQ(counted(AlphaMode::kThreshold, false), (Entries{{white, 5}}));
+  EXPECT_EQ(counted(AlphaMode::kEntries, true), (Entries{{{0, 255, 255, 102}, 255}, {white, 51}}));
+}
+
 // What is counted, chosen and shown is one colour: the palette's entries come back as they were.
 TEST(WithPalette, ShowsTheChosenColours) {
   Display display = load_display("vga16");

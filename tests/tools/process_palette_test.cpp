@@ -172,6 +172,28 @@ TEST_F(PaletteBuild, FixesAndReserves) {
   EXPECT_EQ(parsed(good("palette build s.exr -n 1 --json"))["colors"].size(), 1U);
 }
 
+TEST_F(PaletteBuild, CountsByMaskContrastAndAlpha) {
+  write("a.ppm", "P3\n3 1\n255\n255 0 0 0 255 0 0 0 255\n");
+  write("m.pgm", "P2\n3 1\n255\n0 255 0\n");
+  EXPECT_EQ(good("palette build a.ppm --mask m.pgm"), "00ff00\n");
+  EXPECT_EQ(good("palette build a.ppm -n 3 --weights contrast"), "0000ff\n00ff00\nff0000\n");
+  // red, green at half and blue not covered at all
+  const std::string head =
+      "P7\nWIDTH 3\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n";
+  write("a.pam", head + std::string("\xff\0\0\xff\0\xff\0\x80\0\0\xff\0", 12));
+  EXPECT_EQ(parsed(good("palette build a.pam --alpha threshold --json"))["colors"],
+            nlohmann::json::parse(R"(["#00ff00", "#ff0000"])"));
+  EXPECT_EQ(parsed(good("palette build a.pam --alpha entries --json"))["colors"],
+            nlohmann::json::parse(R"(["#00000000", "#00ff0080", "#ff0000"])"));
+  EXPECT_EQ(parsed(good("palette build a.pam --json"))["colors"],
+            nlohmann::json::parse(R"(["#000000", "#00bc00", "#ff0000"])"));
+  write("n.pgm", "P2\n2 1\n255\n0 255\n");
+  refuses("palette build a.ppm --mask n.pgm", 3,
+          "n.pgm: is 2x1 where the picture is 3x1; give a mask of the picture's size, or --size");
+  refuses("palette build a.ppm --alpha none", 2,
+          "--alpha: unknown name 'none'; use one of: premultiplied, threshold, entries");
+}
+
 TEST_F(PaletteBuild, TellsMistakes) {
   refuses("palette build", 2, "palette build: no pictures are given; give pictures, or histograms");
   refuses("palette build s.exr -n 0", 2,

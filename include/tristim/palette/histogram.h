@@ -92,7 +92,7 @@ struct NamedAlphaMode {
   std::string_view name;
   AlphaMode mode;
 };
-inline constexpr std::array kAlphaModes{NamedAlphaMode{"over", AlphaMode::kOver},
+inline constexpr std::array kAlphaModes{NamedAlphaMode{"premultiplied", AlphaMode::kOver},
                                         NamedAlphaMode{"threshold", AlphaMode::kThreshold},
                                         NamedAlphaMode{"entries", AlphaMode::kEntries}};
 

@@ -33,11 +33,19 @@ ScreenParameters screen_parameters(const Display& display, const ScreenParameter
 /// they are copied.
 ReduceOptions reduce_options(const Display& display, const Settings& settings);
 
+/// What counts for a palette beside the pixels themselves. Sources have the picture's size.
+struct CountOptions {
+  PaletteWeights weights = PaletteWeights::kCount;
+  RowSource* mask = nullptr;      // how much a pixel counts, by the first channel, 0 .. 1, clipped
+  RowSource* coverage = nullptr;  // alpha as the first channel; null: all is opaque
+  AlphaMode alpha = AlphaMode::kOver;  // what becomes of pixels that are not quite covered
+};
+
 /// Counts the colours of a prepared picture as the device will be asked for them: after all stages,
 /// at 8 bits of the sRGB curve a channel, in the device's primaries; by contrast as
-/// contrast_weights() weighs them.
+/// contrast_weights() weighs them, with a mask each pixel up to 255 times.
 Histogram histogram(RowSource& picture, const StageList& stages, const Display& display,
-                    const RunOptions& options, PaletteWeights weights = PaletteWeights::kCount);
+                    const RunOptions& options, const CountOptions& counting = {});
 
 /// `display` with a palette of codes of 8 bits a channel behind the sRGB curve in its primaries, at
 /// positions 0, 1, ...
