@@ -37,12 +37,12 @@ struct LevelTable {
 /// LevelDiffusion defines it, bit for bit.
 ///
 /// Lane l of a vector works on row l, two pixels behind lane l - 1: what a pixel receives is known
-/// when it is its turn. `received` is what the first row has received, one number a pixel, and
-/// becomes that of the row below the last.
+/// when it is its turn. `errors` are those of the row above the first, between two that are 0, and
+/// become those of the last row.
 struct FloydSteinbergRows {
   std::string_view name;  // instruction set
   void (*run)(const LevelTable& levels, ImageView<const float> in, ImageView<std::uint16_t> out,
-              std::span<float> received);
+              std::span<float> errors);
 };
 
 /// Those that this processor has, the best first; none where there are no vectors.

@@ -275,7 +275,7 @@ HWY_INLINE void step(const Levels& levels, const Lanes& lanes, int t, int width,
 }
 
 // What the row below a row of errors receives from it.
-void give_below(const std::vector<float>& errors, std::span<float> received) {
+void give_below(std::span<const float> errors, std::span<float> received) {
   constexpr float kWeights[3] = {1 / 16.0F, 5 / 16.0F, 3 / 16.0F};
   for (std::size_t x = 0; x < received.size(); ++x) {  // errors[x + 1] is that of pixel x
     received[x] =
@@ -283,10 +283,10 @@ void give_below(const std::vector<float>& errors, std::span<float> received) {
   }
 }
 
-// As many rows as `kVectors` hold, or fewer. `below` has room for an error on either side.
+// As many rows as `kVectors` hold, or fewer. `last_errors` has room for one on either side.
 template <int kVectors, class Levels>
-void diffuse_together(const LevelTable& table, Place place, std::span<float> received,
-                      std::vector<float>& below) {
+void diffuse_together(const LevelTable& table, Place place, std::span<const float> received,
+                      std::span<float> last_errors) {
   constexpr int kRows = kVectors * kLanes;
   const Levels levels(table);
   const Lanes lanes;
@@ -308,37 +308,37 @@ void diffuse_together(const LevelTable& table, Place place, std::span<float> rec
     for (int s = 0; s < kSteps; ++s) {
       const int x = place.t + s - behind;
       if (x < 0 || x >= width) continue;
-      below[static_cast<std::size_t>(x) + 1] = block.error[s][place.in.height - 1];
+      last_errors[static_cast<std::size_t>(x) + 1] = block.error[s][place.in.height - 1];
     }
   }
-  give_below(below, received);
 }
 
 template <class Levels>
 void diffuse(const LevelTable& table, ImageView<const float> in, ImageView<std::uint16_t> out,
-             std::span<float> received) {
+             std::span<float> errors) {
   constexpr int kMost = 4;  // chains that a processor overlaps, each waiting for its last error
-  std::vector<float> below(received.size() + 2, 0);
+  std::vector<float> received(errors.size() - 2);
   for (int y = 0; y < in.height;) {
     const int rows = std::min(kMost * kLanes, in.height - y);
     const Place place{in.rows(y, rows), out.rows(y, rows)};
+    give_below(errors, received);
     if (rows <= kLanes) {
-      diffuse_together<1, Levels>(table, place, received, below);
+      diffuse_together<1, Levels>(table, place, received, errors);
     } else if (rows <= 2 * kLanes) {
-      diffuse_together<2, Levels>(table, place, received, below);
+      diffuse_together<2, Levels>(table, place, received, errors);
     } else {
-      diffuse_together<kMost, Levels>(table, place, received, below);
+      diffuse_together<kMost, Levels>(table, place, received, errors);
     }
     y += rows;
   }
 }
 
 void run_rows(const LevelTable& levels, ImageView<const float> in, ImageView<std::uint16_t> out,
-              std::span<float> received) {
-  if (!levels.few()) return diffuse<ManyLevels>(levels, in, out, received);
-  if (levels.threshold.size() <= 1) return diffuse<FewLevels<1> >(levels, in, out, received);
-  if (levels.threshold.size() <= 3) return diffuse<FewLevels<3> >(levels, in, out, received);
-  diffuse<FewLevels<7> >(levels, in, out, received);
+              std::span<float> errors) {
+  if (!levels.few()) return diffuse<ManyLevels>(levels, in, out, errors);
+  if (levels.threshold.size() <= 1) return diffuse<FewLevels<1> >(levels, in, out, errors);
+  if (levels.threshold.size() <= 3) return diffuse<FewLevels<3> >(levels, in, out, errors);
+  diffuse<FewLevels<7> >(levels, in, out, errors);
 }
 
 FloydSteinbergRows vector_rows() { return {hwy::TargetName(HWY_TARGET), run_rows}; }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "lib/dither/half_way.h"
 #include "lib/dither/position_noise.h"
@@ -44,30 +45,53 @@ LevelDiffusion::LevelDiffusion(const MixLevels& levels, int width, const Diffusi
   }
 }
 
-// Takes a level for a pixel and shares out the error. A weak pixel takes as little of the others'
-// errors as it gives.
-std::size_t LevelDiffusion::choose(Place place, float light, float jitter, float share) noexcept {
-  const float clipped = std::clamp(light, levels_.light.front(), levels_.light.back());
-  const float wanted = clipped + errors_.received(place.x, 0) * share;
-  float raise = 0;  // of the threshold
-  const ToneWeights* tone = nullptr;
-  if (jitter > 0 || !tones_.empty()) {
-    const float noise = detail::position_noise(place.x, place.y, seed_);
-    const Bracket between = bracket(levels_.light, lower_, clipped);
-    raise = between.step * jitter * (noise - 0.5F);
-    if (!tones_.empty()) {
-      tone = &tones_[tone_index(between.fraction(clipped))];
-      raise += between.step * tone->raise * noise;
+// Where the threshold of a pixel goes, by chance and by the tone's weights (null where they are
+// the same for all).
+LevelDiffusion::Raise LevelDiffusion::raise(int x, int y, float clipped,
+                                            float jitter) const noexcept {
+  if (jitter == 0 && tones_.empty()) return {};
+  const float noise = detail::position_noise(x, y, seed_);
+  const Bracket between = bracket(levels_.light, lower_, clipped);
+  Raise raise{between.step * jitter * (noise - 0.5F), nullptr};
+  if (!tones_.empty()) {
+    raise.tone = &tones_[tone_index(between.fraction(clipped))];
+    raise.by += between.step * raise.tone->raise * noise;
+  }
+  return raise;
+}
+
+// Takes a level for each pixel of a row and leaves the errors. A weak pixel takes as little of the
+// others' errors as it gives.
+template <typename Choose>
+void LevelDiffusion::diffuse_row(const Row& row, Choose&& choose) {
+  const bool back = reversed(options_, row.y);
+  const int direction = back ? -1 : 1;
+  errors_.begin_row(direction);
+  const float* above = errors_.above(0).data();
+  float* errors = errors_.errors(0).data();
+  const std::array<float, 3> weight = errors_.weight_before();
+  ErrorsBefore before;
+  for (int i = 0; i < width_; ++i) {
+    const int x = back ? width_ - 1 - i : i;
+    if (!row.taking_part.empty() && row.taking_part[static_cast<std::size_t>(x)] == 0) {
+      before.push(0);
+      continue;
+    }
+    const float share = share_of(row.strength, x);
+    const float clipped = std::clamp(row.in[x], levels_.light.front(), levels_.light.back());
+    const float wanted = clipped + before.received(above[x], weight) * share;
+    const Raise raised = raise(x, row.y, clipped, row.jitter);
+    const std::size_t level = choose(x, wanted - raised.by);
+    const float error = (wanted - levels_.light[level]) * share;
+    if (raised.tone != nullptr) {
+      errors_.give_below(x, 0, error, *raised.tone);
+      before.push(error * raised.tone->next);
+    } else {
+      errors[x] = error;
+      before.push(error);
     }
   }
-  const auto level = static_cast<std::size_t>(search_.count_not_above(wanted - raise));
-  const float error = (wanted - levels_.light[level]) * share;
-  if (tone != nullptr) {
-    errors_.spread(place.x, 0, error, place.direction, *tone);
-  } else {
-    errors_.spread(place.x, 0, error, place.direction);
-  }
-  return level;
+  errors_.end_row();
 }
 
 // Leaves errors as if the first row went on above; columns that do not take part keep none.
@@ -89,30 +113,22 @@ void LevelDiffusion::settle(ChannelRow<const float> first, std::span<const float
   if (least == 1) return;
   const int rows = detail::settling_rows(least);
   for (int y = -rows; y < 0; ++y) {
-    const bool back = reversed(options_, y);
     const float jitter = std::max(options_.jitter, detail::settling_jitter(y, rows));
-    for (int i = 0; i < width_; ++i) {
-      const int x = back ? width_ - 1 - i : i;
-      if (taking_part[static_cast<std::size_t>(x)] == 0) continue;
-      choose({x, y, back ? -1 : 1}, first[x], jitter, share_of(strength, x));
-    }
-    errors_.next_row();
+    diffuse_row({first, y, jitter, strength, taking_part}, [this](int, float wanted) {
+      return static_cast<std::size_t>(search_.count_not_above(wanted));
+    });
   }
-  for (int x = 0; x < width_; ++x) {
-    if (taking_part[static_cast<std::size_t>(x)] == 0) errors_.clear(x);
-  }
+  errors_.keep(taking_part);
 }
 
 void LevelDiffusion::row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out,
                          std::span<const float> strength) {
   if (y_ == 0 && options_.settled) settle(in, strength);
-  const bool back = reversed(options_, y_);
-  for (int i = 0; i < width_; ++i) {
-    const int x = back ? width_ - 1 - i : i;
-    const float share = share_of(strength, x);
-    out[x] = levels_.code[choose({x, y_, back ? -1 : 1}, in[x], options_.jitter, share)];
-  }
-  errors_.next_row();
+  diffuse_row({in, y_, options_.jitter, strength, {}}, [&](int x, float wanted) {
+    const auto level = static_cast<std::size_t>(search_.count_not_above(wanted));
+    out[x] = levels_.code[level];
+    return level;
+  });
   ++y_;
 }
 

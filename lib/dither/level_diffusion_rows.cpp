@@ -18,7 +18,8 @@ void LevelDiffusion::rows(ImageView<const float> in, ImageView<std::uint16_t> ou
     row({in.row(y).data(), width_, 1}, {out.row(y).data(), width_, 1});
   };
   int y = 0;
-  if (y_ == 0 && in.height > 0) definition(y++);  // what a picture begins with is known only there
+  // What a picture begins with is known only there.
+  while (y < in.height && (y_ == 0 || errors_.keeps())) definition(y++);
   const detail::FloydSteinbergRows* fast =
       plain_floyd_steinberg(options_) && in.height - y >= kLeast ? detail::floyd_steinberg_rows()
                                                                  : nullptr;
@@ -28,7 +29,9 @@ void LevelDiffusion::rows(ImageView<const float> in, ImageView<std::uint16_t> ou
   }
   if (fast != nullptr && table_->usable()) {
     const int count = in.height - y;
-    fast->run(*table_, in.rows(y, count), out.rows(y, count), errors_.received_row());
+    const auto in_size = static_cast<std::size_t>(width_);
+    fast->run(*table_, in.rows(y, count), out.rows(y, count),
+              errors_.row(1, 0).subspan(ErrorRows::kMargin - 1, in_size + 2));
     y_ += count;
     return;
   }

@@ -141,13 +141,17 @@ std::array<float, 3> MixPalette::place(const Color& color) const noexcept {
   return metric_.place({decode(color[0]), decode(color[1]), decode(color[2])});
 }
 
+bool MixPalette::equals(int index, const Color& color) const noexcept {
+  const Color& same = entry(index);
+  return std::abs(same[0] - color[0]) < kEqual && std::abs(same[1] - color[1]) < kEqual &&
+         std::abs(same[2] - color[2]) < kEqual;
+}
+
 int MixPalette::equal_entry(const Color& color) const noexcept {
-  const auto equal = [&color](const Color& entry) {
-    return std::abs(entry[0] - color[0]) < kEqual && std::abs(entry[1] - color[1]) < kEqual &&
-           std::abs(entry[2] - color[2]) < kEqual;
-  };
-  const auto found = std::find_if(entries_.begin(), entries_.end(), equal);
-  return found == entries_.end() ? -1 : static_cast<int>(found - entries_.begin());
+  for (int i = 0; i < size(); ++i) {
+    if (equals(i, color)) return i;
+  }
+  return -1;
 }
 
 Color MixPalette::bounded(const Color& color) const noexcept {

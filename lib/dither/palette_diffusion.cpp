@@ -2,7 +2,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "lib/dither/nearest_cells.h"
+#include "lib/dither/entry_equals.h"
+#include "lib/dither/entry_grid.h"
 #include "lib/dither/position_noise.h"
 #include "lib/dither/settle.h"
 #include "tristim/dither/palette.h"
@@ -12,7 +13,7 @@ namespace {
 
 using Color = MixPalette::Color;
 
-constexpr int kChannels = 4;  // of the errors: three, and one that fills a vector
+constexpr int kChannels = 3;
 
 float share_of(std::span<const float> strength, int x) noexcept {
   return strength.empty() ? 1 : strength[static_cast<std::size_t>(x)];
@@ -44,7 +45,8 @@ float tone_of(const MixPalette& palette, const Color& color) noexcept {
 PaletteDiffusion::PaletteDiffusion(const MixPalette& palette, int width,
                                    const DiffusionOptions& options)
     : palette_(&palette),
-      cells_(std::make_unique<detail::NearestCells>(palette)),
+      grid_(std::make_unique<const detail::EntryGrid>(palette)),
+      equal_entry_(std::make_unique<const detail::EntryEquals>(palette)),
       options_(options),
       seed_(detail::noise_seed(options.seed)),
       width_(width),
@@ -56,8 +58,8 @@ PaletteDiffusion::PaletteDiffusion(PaletteDiffusion&&) noexcept = default;
 PaletteDiffusion::~PaletteDiffusion() = default;
 
 // By how much chance raises the threshold.
-Color PaletteDiffusion::threshold(Place place, const float* rgb, float jitter) const noexcept {
-  const float noise = detail::position_noise(place.x, place.y, seed_);
+Color PaletteDiffusion::threshold(int x, int y, const float* rgb, float jitter) const noexcept {
+  const float noise = detail::position_noise(x, y, seed_);
   Color raise{};
   for (std::size_t c = 0; c < 3; ++c) {
     raise[c] = palette_->step()[c] * jitter * (noise - 0.5F);
@@ -66,32 +68,51 @@ Color PaletteDiffusion::threshold(Place place, const float* rgb, float jitter) c
   return raise;
 }
 
-// Takes an entry for a pixel and shares out the error.
-int PaletteDiffusion::choose(Place place, const float* rgb, float jitter, float share) noexcept {
-  Color color = palette_->from_light(rgb);
-  if (const int entry = cells_->equal_entry(color); entry >= 0) return entry;
-  const std::array<float, kChannels> received = errors_.received(place.x);
-  for (std::size_t c = 0; c < 3; ++c) color[c] += received[c] * share;
-  color = palette_->bounded(color);
-  Color compared = color;
-  if (jitter > 0 || !tones_.empty()) {
-    const Color raise = threshold(place, rgb, jitter);
-    for (std::size_t c = 0; c < 3; ++c) compared[c] -= raise[c];
+// Takes an entry for each pixel of a row and leaves the errors.
+void PaletteDiffusion::diffuse_row(const Row& row) {
+  const bool back = reversed(options_, row.y);
+  errors_.begin_row(back ? -1 : 1);
+  const std::array<float, 3> weight = errors_.weight_before();
+  std::array<ErrorsBefore, kChannels> before{};
+  for (int i = 0; i < width_; ++i) {
+    const int x = back ? width_ - 1 - i : i;
+    const auto at = static_cast<std::size_t>(x);
+    const float* rgb = pixel(row.rgb, x);
+    Color color = palette_->from_light(rgb);
+    int index = (*equal_entry_)(color);
+    const bool taking_part = row.taking_part.empty() || row.taking_part[at] != 0;
+    Color error{};
+    if (index < 0 && taking_part) {
+      const float share = share_of(row.strength, x);
+      for (int c = 0; c < kChannels; ++c) {
+        const auto channel = static_cast<std::size_t>(c);
+        color[channel] += before[channel].received(errors_.above(c)[at], weight) * share;
+      }
+      color = palette_->bounded(color);
+      Color compared = color;
+      if (row.jitter > 0 || !tones_.empty()) {
+        const Color raise = threshold(x, row.y, rgb, row.jitter);
+        for (std::size_t c = 0; c < 3; ++c) compared[c] -= raise[c];
+      }
+      index = grid_->nearest(compared);
+      const float passed = share * palette_->passed_on();
+      for (std::size_t c = 0; c < 3; ++c)
+        error[c] = (color[c] - palette_->entry(index)[c]) * passed;
+    }
+    if (row.indices != nullptr) row.indices[at] = static_cast<std::uint16_t>(index);
+    for (int c = 0; c < kChannels; ++c) {
+      const auto channel = static_cast<std::size_t>(c);
+      if (tones_.empty()) {
+        errors_.errors(c)[at] = error[channel];
+        before[channel].push(error[channel]);
+      } else {
+        const ToneWeights& tone = tones_[tone_index(rgb[channel])];
+        errors_.give_below(x, c, error[channel], tone);
+        before[channel].push(error[channel] * tone.next);
+      }
+    }
   }
-  const int index = cells_->nearest(compared);
-  const Color& got = palette_->entry(index);
-  const float passed = share * palette_->passed_on();
-  std::array<float, kChannels> error{};
-  for (std::size_t c = 0; c < 3; ++c) error[c] = (color[c] - got[c]) * passed;
-  if (tones_.empty()) {
-    errors_.spread(place.x, error, place.direction);
-    return index;
-  }
-  for (int c = 0; c < 3; ++c) {
-    const auto channel = static_cast<std::size_t>(c);
-    errors_.spread(place.x, c, error[channel], place.direction, tones_[tone_index(rgb[channel])]);
-  }
-  return index;
+  errors_.end_row();
 }
 
 // Leaves errors as if the first row went on above, as LevelDiffusion does.
@@ -116,30 +137,16 @@ void PaletteDiffusion::settle(std::span<const float> first, std::span<const floa
   if (std::ranges::count(taking_part, 1) == 0) return;
   const int rows = detail::settling_rows(least);
   for (int y = -rows; y < 0; ++y) {
-    const bool back = reversed(options_, y);
     const float jitter = std::max(options_.jitter, detail::settling_jitter(y, rows));
-    for (int i = 0; i < width_; ++i) {
-      const int x = back ? width_ - 1 - i : i;
-      if (taking_part[static_cast<std::size_t>(x)] == 0) continue;
-      choose({x, y, back ? -1 : 1}, pixel(first, x), jitter, share_of(strength, x));
-    }
-    errors_.next_row();
+    diffuse_row({first, y, jitter, strength, taking_part, nullptr});
   }
-  for (int x = 0; x < width_; ++x) {
-    if (taking_part[static_cast<std::size_t>(x)] == 0) errors_.clear(x);
-  }
+  errors_.keep(taking_part);
 }
 
 void PaletteDiffusion::row(std::span<const float> rgb, std::span<std::uint16_t> indices,
-                           std::span<const float> strength) noexcept {
+                           std::span<const float> strength) {
   if (y_ == 0 && options_.settled) settle(rgb, strength);
-  const bool back = reversed(options_, y_);
-  for (int i = 0; i < width_; ++i) {
-    const int x = back ? width_ - 1 - i : i;
-    indices[static_cast<std::size_t>(x)] = static_cast<std::uint16_t>(
-        choose({x, y_, back ? -1 : 1}, pixel(rgb, x), options_.jitter, share_of(strength, x)));
-  }
-  errors_.next_row();
+  diffuse_row({rgb, y_, options_.jitter, strength, {}, indices.data()});
   ++y_;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/color/curve_table.h"
+#include "lib/palette/oklab_toe.h"
 #include "tristim/color/lab.h"
 #include "tristim/color/models.h"
 #include "tristim/color/oklab.h"
@@ -12,16 +13,6 @@
 
 namespace tristim {
 namespace {
-
-// Light at which the cube root gives way. Diffused to seven inks or to the 16 colours of VGA, none
-// leaves streaks in the shadows, 0.02 a relief in the middle tones, 0.3 neither, at the same
-// S-CIELAB difference from the original (18.6).
-constexpr double kToe = 0.3;
-
-// Beside colour, which the eye blurs more: errors of lightness are those that it sees. 3-3-2
-// diffused: a mean S-CIELAB of 1.34 without, 1.19 so, 1.13 at 1.5, where errors of colour grow
-// until greys of a few inks lose their tone.
-constexpr double kLightness = 1.3;
 
 // The balanced metric: share of the codes, weights of Oklab's axes, how fast its chroma gives way,
 // and light without which the darkest colours would take entries that nobody sees. What lessens
@@ -68,8 +59,8 @@ std::array<float, 3> oklab_place(Rgb linear_srgb) noexcept {
 }
 
 std::array<float, 3> oklab_toe_place(Rgb linear_srgb) noexcept {
-  const Oklab c = linear_srgb_to_oklab_with_toe(linear_srgb, kToe);
-  return floats(kLightness * c.l, c.a, c.b);
+  const Oklab c = linear_srgb_to_oklab_with_toe(linear_srgb, detail::kToe);
+  return floats(detail::kLightness * c.l, c.a, c.b);
 }
 
 std::array<float, 3> lab_place(Rgb linear_srgb) noexcept {

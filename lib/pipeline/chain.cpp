@@ -173,8 +173,9 @@ ReduceOptions reduce_options(const Display& display, const Settings& settings) {
                                                : chosen ? "balanced"
                                                         : "oklab");
   DitherParameters parameters = settings.dither_parameters;
-  if (!parameters.serpentine && display.frame.packing.indexed && !display.press)
-    parameters.serpentine = true;
+  if (!parameters.serpentine && display.frame.packing.indexed && !display.press) {
+    parameters.serpentine = false;  // as good for palettes, and many rows go at once
+  }
   parameters.screen = screen_parameters(display, asked);
   return {.dither = dither.method,
           .parameters = parameters,

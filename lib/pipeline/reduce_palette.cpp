@@ -51,11 +51,15 @@ PaletteReducer::PaletteReducer(const Display& display, const ReduceOptions& opti
 }
 
 void PaletteReducer::reduce(Band band, ImageView<std::uint16_t> indices) {
+  for (int row = 0; row < band.view.height; ++row) multiply(srgb_from_device_, band.view.row(row));
+  const float whole = options_->parameters.strength;
+  if (diffusion_ && whole == 1 && band.dither_mask.data == nullptr) {
+    return diffusion_->rows(band.view, indices);
+  }
   for (int row = 0; row < band.view.height; ++row) {
-    const std::span<float> rgb = band.view.row(row);
+    const std::span<const float> rgb = band.view.row(row);
     const std::span<std::uint16_t> out = indices.row(row);
-    const std::vector<float> strength = row_strength(band, row, options_->parameters.strength);
-    multiply(srgb_from_device_, rgb);
+    const std::vector<float> strength = row_strength(band, row, whole);
     if (diffusion_) {
       diffusion_->row(rgb, out, strength);
     } else if (matrix_) {

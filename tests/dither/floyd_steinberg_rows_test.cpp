@@ -64,12 +64,12 @@ std::vector<std::uint16_t> by_definition(const MixLevels& levels, const Image& i
 std::vector<std::uint16_t> by_rows(const detail::FloydSteinbergRows& rows, const MixLevels& levels,
                                    const Image& in, int band) {
   Raster<std::uint16_t> out(in.view().width, in.view().height, 1);
-  std::vector<float> received(static_cast<std::size_t>(in.view().width), 0);
+  std::vector<float> errors(static_cast<std::size_t>(in.view().width) + 2, 0);
   const detail::LevelTable look_up = table(levels);
   EXPECT_TRUE(look_up.usable());
   for (int y = 0; y < in.view().height; y += band) {
     const int count = std::min(band, in.view().height - y);
-    rows.run(look_up, in.view().rows(y, count), out.view().rows(y, count), received);
+    rows.run(look_up, in.view().rows(y, count), out.view().rows(y, count), errors);
   }
   return samples(out);
 }

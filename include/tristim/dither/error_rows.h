@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,69 +10,103 @@
 
 namespace tristim {
 
-/// The errors that rows still to come have received: the pixel's own row and the three below it,
-/// with margins for what falls off the sides: dropped, or of closed kernels given to the next row's
-/// pixel at that side.
+/// What pixels before it in its row leave for a pixel: the errors of the last three.
+struct ErrorsBefore {
+  float last = 0, second = 0, third = 0;
+
+  /// With what the rows above leave.
+  float received(float above, const std::array<float, 3>& weight) const noexcept {
+    return ((above + third * weight[2]) + second * weight[1]) + last * weight[0];
+  }
+  void push(float error) noexcept {
+    third = second;
+    second = last;
+    last = error;
+  }
+};
+
+/// The errors of the last rows of a picture, in planes of one channel, and what they leave for the
+/// row below: nothing is summed before it is asked for, so that a whole row is summed at once.
+///
+/// A pixel receives from the rows above, the farthest first, of each what came first; then from
+/// the pixels before it, see ErrorsBefore. What falls off the sides is dropped. Of closed kernels
+/// it is kept: the first pixel of a row receives what those before it would, and the pixel below
+/// the last what those beyond it would.
 class ErrorRows {
  public:
   ErrorRows(const DiffusionKernel& kernel, int width, int channels);
 
-  /// What pixel x of the current row has received in `channel`.
-  float received(int x, int channel) const noexcept { return rows_[0][index(x, channel)]; }
+  /// Begins a row that goes to the right (1) or to the left (-1): sums up what it receives and
+  /// makes its errors 0.
+  void begin_row(int direction);
 
-  /// Shares out the error of pixel x of the current row; `direction` is 1, or -1 for the mirrored
-  /// kernel.
-  void spread(int x, int channel, float error, int direction) noexcept {
-    for (const Tap& tap : taps_) {
-      rows_[tap.row][index(x + direction * tap.dx, channel)] += error * tap.weight;
-    }
+  /// What each pixel of the row receives from the rows above.
+  std::span<const float> above(int channel) const noexcept {
+    return std::span(above_[static_cast<std::size_t>(channel)]).subspan(kMargin, size_);
   }
 
-  /// All of four channels.
-  std::array<float, 4> received(int x) const noexcept {
-    const float* from = &rows_[0][index(x, 0)];
-    return {from[0], from[1], from[2], from[3]};
-  }
-  void spread(int x, const std::array<float, 4>& error, int direction) noexcept {
-    for (const Tap& tap : taps_) {
-      float* to = &rows_[tap.row][index(x + direction * tap.dx, 0)];
-      for (std::size_t c = 0; c < 4; ++c) to[c] += error[c] * tap.weight;
-    }
-  }
+  /// The errors of the row's pixels, which whoever decides about them puts here.
+  std::span<float> errors(int channel) noexcept { return row(0, channel).subspan(kMargin, size_); }
 
-  /// The same by the weights of a tone.
-  void spread(int x, int channel, float error, int direction, const ToneWeights& tone) noexcept {
-    rows_[0][index(x + direction, channel)] += error * tone.next;
-    rows_[1][index(x - direction, channel)] += error * tone.below_last;
-    rows_[1][index(x, channel)] += error * tone.below;
+  /// Weights of the errors of the last three pixels. Of kernels that follow the tone, the last
+  /// error is to be weighted already.
+  const std::array<float, 3>& weight_before() const noexcept { return before_; }
+
+  /// Of kernels that follow the tone: what pixel `x` gives the row below.
+  void give_below(int x, int channel, float error, const ToneWeights& tone) noexcept {
+    std::vector<float>& below = below_[0][static_cast<std::size_t>(channel)];
+    below[index(x - direction_)] += error * tone.below_last;
+    below[index(x)] += error * tone.below;
   }
 
-  /// What the pixels of the current row have received, of one channel.
-  std::span<float> received_row() noexcept {
-    return std::span(rows_[0]).subspan(kMargin, rows_[0].size() - 2 * kMargin);
-  }
+  /// Ends the row.
+  void end_row() noexcept;
 
-  /// Goes on to the next row.
-  void next_row();
+  /// Keeps of what rows still to come will receive from those so far only the columns that are not
+  /// 0 in `columns`.
+  void keep(std::span<const std::uint8_t> columns);
 
-  /// Takes away what column x has received in this row and those below.
-  void clear(int x) noexcept;
+  /// Whether rows still to come receive what keep() left.
+  bool keeps() const noexcept { return kept_rows_ > 0; }
 
- private:
+  static constexpr int kMargin = 3;  // the reach of a kernel
+  static constexpr int kReach = 3;   // rows
+
   struct Tap {
-    std::size_t row;
-    int dx;
+    int row, dx;  // from the pixel that leaves an error to that which receives it
     float weight;
   };
-  static constexpr int kMargin = 3;  // the reach of a kernel
-  std::size_t index(int x, int channel) const noexcept {
-    return static_cast<std::size_t>((x + kMargin) * channels_ + channel);
+
+  /// Those to rows below, in the order in which they are summed up.
+  std::span<const Tap> taps() const noexcept { return taps_; }
+
+  /// The errors of the row `distance` above the row to come, 1 to kReach, with margins of 0.
+  std::span<float> row(int distance, int channel) noexcept {
+    return rows_[static_cast<std::size_t>(distance)][static_cast<std::size_t>(channel)];
   }
-  void turn_in(const std::vector<float>& margins, std::vector<float>& row) const noexcept;
-  int width_, channels_;
+
+  /// What the row to come receives of what fell off at the end of the last one, at that end; of
+  /// closed kernels.
+  float& overflow(int channel) noexcept { return overflow_[static_cast<std::size_t>(channel)]; }
+
+ private:
+  using Planes = std::vector<std::vector<float>>;  // by channel, with margins
+
+  std::size_t index(int x) const noexcept { return static_cast<std::size_t>(x + kMargin); }
+  void add(const Planes& from, int direction, const Tap& tap, Planes& to) const;
+  void turn_in(std::vector<float>& above, float overflow) const noexcept;
+
+  std::size_t size_;  // pixels of a row
   bool closed_;
   std::vector<Tap> taps_;
-  std::array<std::vector<float>, 4> rows_;
+  std::array<float, 3> before_{};
+  int direction_ = 1;
+  std::array<int, kReach + 1> directions_{};
+  std::array<Planes, kReach + 1> rows_;  // the row at work and those above
+  Planes above_;
+  std::array<Planes, kReach> below_;  // given or kept for the next rows
+  int kept_rows_ = 0;
+  std::vector<float> overflow_;
 };
 
 }  // namespace tristim

@@ -82,11 +82,20 @@ class LevelDiffusion {
   void rows(ImageView<const float> in, ImageView<std::uint16_t> out);
 
  private:
-  struct Place {
-    int x, y;
-    int direction;  // 1: from left to right
+  struct Raise {
+    float by = 0;                       // of the threshold
+    const ToneWeights* tone = nullptr;  // of kernels that follow it
   };
-  std::size_t choose(Place place, float light, float jitter, float share) noexcept;
+  struct Row {
+    ChannelRow<const float> in;
+    int y;
+    float jitter;
+    std::span<const float> strength;
+    std::span<const std::uint8_t> taking_part;  // empty: all
+  };
+  Raise raise(int x, int y, float clipped, float jitter) const noexcept;
+  template <typename Choose>
+  void diffuse_row(const Row& row, Choose&& choose);
   void settle(ChannelRow<const float> first, std::span<const float> strength);
 
   MixLevels levels_;

@@ -14,8 +14,9 @@
 namespace tristim {
 
 namespace detail {
-class NearestCells;
-}
+class EntryEquals;
+class EntryGrid;
+}  // namespace detail
 
 /// In which numbers colours are mixed and errors counted.
 enum class Mix {
@@ -60,10 +61,18 @@ class MixPalette {
   /// Where the metric places a colour given in the numbers of the mix.
   std::array<float, 3> place(const Color& color) const noexcept;
 
+  /// Whether colours are placed by `how`, and mixed in light.
+  bool places_light_by(std::array<float, 3> (*how)(Rgb) noexcept) const noexcept {
+    return mix_ == Mix::kLight && metric_.place == how;
+  }
+
   /// How near a colour must be to an entry to be it: what the way through XYZ leaves.
   static constexpr float kEqual = 1e-5F;
 
-  /// The entry that `color`, in the numbers of the mix, is already; -1 where it is none.
+  /// Whether `color`, in the numbers of the mix, is that entry already.
+  bool equals(int index, const Color& color) const noexcept;
+
+  /// The first entry that `color` is already; -1 where it is none.
   int equal_entry(const Color& color) const noexcept;
 
   const Color& entry(int index) const noexcept { return entries_[static_cast<std::size_t>(index)]; }
@@ -72,6 +81,8 @@ class MixPalette {
   /// `color` held near the palette: errors of colours that it can mix never reach that bound,
   /// others must not run away.
   Color bounded(const Color& color) const noexcept;
+  const Color& lowest() const noexcept { return low_; }
+  const Color& highest() const noexcept { return high_; }
 
   /// A step between entries, as far as a palette has one: its range through the number of entries
   /// less one.
@@ -106,31 +117,40 @@ void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matri
                          std::span<const float> rgb, std::span<std::uint16_t> indices,
                          std::span<const float> strength = {}) noexcept;
 
-/// Error diffusion to a palette [FloydSteinberg76]: the nearest entry in the metric, by its
-/// tangents in small cells, the error in the numbers of the mix. Colours that the palette
-/// cannot mix are moved inside its hull first. Rows must come in order.
+/// Error diffusion to a palette [FloydSteinberg76]: the nearest entry in the metric, the error in
+/// the numbers of the mix. Colours that the palette cannot mix are moved inside its hull first, see
+/// Beyond. Rows must come in order.
 class PaletteDiffusion {
  public:
   PaletteDiffusion(const MixPalette& palette, int width, const DiffusionOptions& options);
   PaletteDiffusion(PaletteDiffusion&&) noexcept;
   ~PaletteDiffusion();
 
-  /// The next row. `strength`, pixel by pixel, 0 .. 1, is the share of the error that is passed on;
-  /// empty: 1.
+  /// The next row. `strength`, pixel by pixel, 0 .. 1, is the share of the errors that a pixel
+  /// takes and passes on; empty: 1.
   void row(std::span<const float> rgb, std::span<std::uint16_t> indices,
-           std::span<const float> strength = {}) noexcept;
+           std::span<const float> strength = {});
+
+  /// The next rows of three channels: what row() makes of them one after the other, many at a time
+  /// where they go one way, on up to `threads` threads (0: one for each processor).
+  void rows(ImageView<const float> rgb, ImageView<std::uint16_t> indices, int threads = 1);
 
  private:
-  struct Place {
-    int x, y;
-    int direction;  // 1: from left to right
+  struct Row {
+    std::span<const float> rgb;
+    int y;
+    float jitter;
+    std::span<const float> strength;
+    std::span<const std::uint8_t> taking_part;  // empty: all
+    std::uint16_t* indices;                     // or nullptr
   };
-  int choose(Place place, const float* rgb, float jitter, float share) noexcept;
-  MixPalette::Color threshold(Place place, const float* rgb, float jitter) const noexcept;
+  MixPalette::Color threshold(int x, int y, const float* rgb, float jitter) const noexcept;
+  void diffuse_row(const Row& row);
   void settle(std::span<const float> first, std::span<const float> strength);
 
   const MixPalette* palette_;  // outlives this
-  std::unique_ptr<detail::NearestCells> cells_;
+  std::unique_ptr<const detail::EntryGrid> grid_;
+  std::unique_ptr<const detail::EntryEquals> equal_entry_;
   DiffusionOptions options_;
   std::span<const ToneWeights> tones_;
   std::uint32_t seed_;
