@@ -6,7 +6,7 @@
 namespace tristim::detail {
 
 EntryEquals::EntryEquals(const MixPalette& palette)
-    : palette_(&palette), start_(kSide * kSide * kSide + 1, 0) {
+    : palette_(&palette), start_(std::size_t{kSide} * kSide * kSide + 1, 0) {
   std::vector<std::pair<std::size_t, std::int32_t>> placed;
   for (int i = 0; i < palette.size(); ++i) {
     for (int corner = 0; corner < 8; ++corner) {
@@ -27,8 +27,9 @@ EntryEquals::EntryEquals(const MixPalette& palette)
 }
 
 int EntryEquals::search(std::size_t cell, const MixPalette::Color& color) const noexcept {
-  for (std::uint32_t i = start_[cell]; i < start_[cell + 1]; ++i) {
-    if (palette_->equals(entry_[i], color)) return entry_[i];
+  for (std::int32_t i = start_[cell]; i < start_[cell + 1]; ++i) {
+    const std::int32_t entry = entry_[static_cast<std::size_t>(i)];
+    if (palette_->equals(entry, color)) return entry;
   }
   return -1;
 }

@@ -21,8 +21,7 @@ class EntryEquals {
   }
 
  private:
-  static constexpr std::size_t kSide = 64;
-
+  static constexpr int kSide = 64;
   static std::size_t number(float value) noexcept {
     const float held = value > 0 ? value : 0;
     return held < 1 ? static_cast<std::size_t>(held * kSide) : kSide - 1;
@@ -33,7 +32,7 @@ class EntryEquals {
   int search(std::size_t cell, const MixPalette::Color& color) const noexcept;
 
   const MixPalette* palette_;
-  std::vector<std::uint32_t> start_;  // by cell, of its entries
+  std::vector<std::int32_t> start_;  // by cell, of its entries
   std::vector<std::int32_t> entry_;
 };
 

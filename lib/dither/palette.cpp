@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "lib/color/curve_table.h"
+#include "lib/dither/planes.h"
 
 namespace tristim {
 namespace {
@@ -21,9 +22,6 @@ constexpr float kSlack = 2;
 // Of an error where the palette was chosen for the picture. Undamped, what it cannot mix adds up
 // until whole areas are wrong: a mean S-CIELAB of 3.1 in place of 2.4 at 16 colours.
 constexpr float kDamped = 0.95F;
-
-constexpr int kPlanLength =
-    16;  // entries of a plan: 64 gains nothing that the eye sees at 7 to 16 colours
 
 float luminance(const Rgb& c) {
   return static_cast<float>(0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b);
@@ -46,46 +44,6 @@ bool holds_cube(const MixPalette& palette) noexcept {
     if (palette.equal_entry({bit(0), bit(1), bit(2)}) < 0) return false;
   }
   return true;
-}
-
-using Plan = std::array<int, kPlanLength>;
-
-Plan mixing_plan(const MixPalette& palette, const Color& color) noexcept {
-  Plan plan{};
-  Color owed = color;
-  for (int& index : plan) {
-    index = palette.nearest(palette.bounded(owed));
-    const Color& got = palette.entry(index);
-    for (std::size_t c = 0; c < 3; ++c) owed[c] += color[c] - got[c];
-  }
-  std::sort(plan.begin(), plan.end(),
-            [&](int a, int b) { return palette.luminance_rank(a) < palette.luminance_rank(b); });
-  return plan;
-}
-
-// The colour on its way from its nearest entry: 0 is the entry, 1 the colour.
-Color weakened(const MixPalette& palette, const Color& color, float strength) noexcept {
-  const Color& near = palette.entry(palette.nearest(color));
-  Color between{};
-  for (std::size_t c = 0; c < 3; ++c) between[c] = near[c] + strength * (color[c] - near[c]);
-  return between;
-}
-
-// Of a palette of two, the colour's fraction of the way between them is known: the levels' rule of
-// ordered dither, exactly.
-int pair_entry(const MixPalette& palette, const Color& color, const ThresholdMatrix& matrix,
-               std::uint16_t rank) noexcept {
-  const int low = palette.luminance_rank(0) < palette.luminance_rank(1) ? 0 : 1;
-  const Color& from = palette.entry(low);
-  const Color& to = palette.entry(1 - low);
-  float along = 0;
-  float length2 = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    along += (color[c] - from[c]) * (to[c] - from[c]);
-    length2 += (to[c] - from[c]) * (to[c] - from[c]);
-  }
-  const float steps = along / length2 * static_cast<float>(matrix.ranks);
-  return steps + 0.5F >= static_cast<float>(rank + 1) ? 1 - low : low;
 }
 
 }  // namespace
@@ -129,6 +87,18 @@ Color MixPalette::from_light(const float* rgb) const noexcept {
   return hull_.inside(mix_ == Mix::kEncoded ? encoded(light) : light);
 }
 
+void MixPalette::from_light_row(std::span<const float> rgb,
+                                const std::array<float*, 3>& planes) const noexcept {
+  const std::size_t count = rgb.size() / 3;
+  detail::split_row(rgb, planes);
+  for (float* plane : planes) {
+    for (std::size_t i = 0; i < count; ++i) plane[i] = std::clamp(plane[i], 0.0F, 1.0F);
+    if (mix_ == Mix::kLight) continue;
+    for (std::size_t i = 0; i < count; ++i) plane[i] = detail::srgb_encode_table()(plane[i]);
+  }
+  hull_.inside_row(planes, count);
+}
+
 int MixPalette::nearest(const Color& color) const noexcept {
   if (mix_ == Mix::kLight) return nearest_.find({color[0], color[1], color[2]});
   const detail::CurveTable& decode = detail::srgb_decode_table();
@@ -166,30 +136,6 @@ void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
   std::vector<float> light(rgb.size());
   for (std::size_t i = 0; i < rgb.size(); ++i) light[i] = std::clamp(rgb[i], 0.0F, 1.0F);
   palette.nearest_row(light, indices);
-}
-
-void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matrix, int y,
-                         std::span<const float> rgb, std::span<std::uint16_t> indices,
-                         std::span<const float> strength) noexcept {
-  const std::uint16_t* ranks = matrix.row(y);
-  const auto first = static_cast<std::size_t>(matrix.column(y));
-  Color planned{-1, -1, -1};  // no colour of a picture
-  Plan plan{};
-  for (std::size_t x = 0; x < indices.size(); ++x) {
-    const std::uint16_t rank = ranks[(first + x) % static_cast<std::size_t>(matrix.width)];
-    Color color = palette.from_light(&rgb[3 * x]);
-    if (!strength.empty()) color = weakened(palette, color, strength[x]);
-    if (palette.size() == 2) {
-      indices[x] = static_cast<std::uint16_t>(pair_entry(palette, color, matrix, rank));
-      continue;
-    }
-    if (color != planned) {
-      plan = mixing_plan(palette, color);
-      planned = color;
-    }
-    const std::size_t at = rank * plan.size() / static_cast<std::size_t>(matrix.ranks);
-    indices[x] = static_cast<std::uint16_t>(plan[at]);
-  }
 }
 
 }  // namespace tristim

@@ -21,10 +21,13 @@ class WantedRows {
   void fill(const MixPalette& palette, const detail::EntryEquals& equal_entry,
             ImageView<const float> rgb) {
     for (int y = 0; y < rgb.height; ++y) {
-      for (int x = 0; x < rgb.width; ++x) {
-        const MixPalette::Color color = palette.from_light(rgb.pixel(x, y));
-        for (std::size_t c = 0; c < 3; ++c) *planes_[c].view().pixel(x, y) = color[c];
-        *fixed_.view().pixel(x, y) = equal_entry(color);
+      const std::array<float*, 3> planes{planes_[0].view().row(y).data(),
+                                         planes_[1].view().row(y).data(),
+                                         planes_[2].view().row(y).data()};
+      palette.from_light_row(rgb.row(y), planes);
+      const std::span<std::int32_t> fixed = fixed_.view().row(y);
+      for (std::size_t x = 0; x < fixed.size(); ++x) {
+        fixed[x] = equal_entry({planes[0][x], planes[1][x], planes[2][x]});
       }
     }
   }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lib/palette/hull_rows.h"
+
 namespace tristim {
 namespace {
 
@@ -180,6 +182,16 @@ PaletteHull::Color PaletteHull::inside(const Color& color) const noexcept {
   if (mixable) return flat;
   const float grey = 0.2126F * color[0] + 0.7152F * color[1] + 0.0722F * color[2];
   return towards(flat, towards(flattened({grey, grey, grey}), centre_));
+}
+
+void PaletteHull::inside_row(const std::array<float*, 3>& planes,
+                             std::size_t count) const noexcept {
+  if (faces_.empty()) return;
+  if (!flat_) return detail::hull_inside_row(faces_, centre_, kRounding, planes, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Color moved = inside({planes[0][i], planes[1][i], planes[2][i]});
+    for (std::size_t c = 0; c < 3; ++c) planes[c][i] = moved[c];
+  }
 }
 
 }  // namespace tristim

@@ -48,8 +48,8 @@ HWY_INLINE ToeVec inverse_root_guess(ToeVec x) {
 
 #endif
 
-/// oklab_toe_place() in floats, within 1e-6 on what light can be and what errors make of it, and
-/// with one order of operations: F is a float or a vector of them, for which larger() and
+/// oklab_toe_place() in floats, within 3e-6 of what it is on [-2, 3], where errors push colours,
+/// and with one order of operations: F is a float or a vector of them, for which larger() and
 /// inverse_root_guess() are there. `set` makes an F of a float.
 template <typename F>
 struct OklabToe {

@@ -43,8 +43,9 @@ PaletteReducer::PaletteReducer(const Display& display, const ReduceOptions& opti
     : options_(&options),
       palette_(mix_palette(display, options)),
       srgb_from_device_(srgb_from(display).cast<float>()) {
-  std::vector<ThresholdMatrix> matrices = dither_matrices(options.dither, options.parameters, 1);
-  if (!matrices.empty()) matrix_ = std::move(matrices.front());
+  const std::vector<ThresholdMatrix> matrices =
+      dither_matrices(options.dither, options.parameters, 1);
+  if (!matrices.empty()) ordered_.emplace(*palette_, matrices.front());
   if (const auto* kernel = std::get_if<DiffusionKernel>(&options.dither)) {
     diffusion_.emplace(*palette_, width, diffusion_options(*kernel, options.parameters));
   }
@@ -62,8 +63,8 @@ void PaletteReducer::reduce(Band band, ImageView<std::uint16_t> indices) {
     const std::vector<float> strength = row_strength(band, row, whole);
     if (diffusion_) {
       diffusion_->row(rgb, out, strength);
-    } else if (matrix_) {
-      palette_ordered_row(*palette_, *matrix_, band.y0 + row, rgb, out, strength);
+    } else if (ordered_) {
+      ordered_->row(band.y0 + row, rgb, out, strength);
     } else {
       palette_nearest_row(*palette_, rgb, out);
     }

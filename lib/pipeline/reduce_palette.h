@@ -23,7 +23,7 @@ class PaletteReducer {
  private:
   const ReduceOptions* options_;
   std::unique_ptr<const MixPalette> palette_;  // where the diffusion knows it
-  std::optional<ThresholdMatrix> matrix_;      // of ordered methods
+  std::optional<PaletteOrdered> ordered_;
   std::optional<PaletteDiffusion> diffusion_;
   Eigen::Matrix3f srgb_from_device_;
 };

@@ -42,10 +42,8 @@ Indices diffused(const MixPalette& palette, const Color& light, bool serpentine 
 }
 
 Indices ordered(const MixPalette& palette, std::string_view matrix_name, const Color& light) {
-  const ThresholdMatrix matrix = make_matrix(*find_by_name(kMatrixRecipes, matrix_name));
-  return flat(light, [&](int y, const auto& rgb, auto& indices) {
-    palette_ordered_row(palette, matrix, y, rgb, indices);
-  });
+  const PaletteOrdered dither(palette, make_matrix(*find_by_name(kMatrixRecipes, matrix_name)));
+  return flat(light, [&](int y, const auto& rgb, auto& indices) { dither.row(y, rgb, indices); });
 }
 
 std::array<double, 3> mean(const std::vector<Rgb>& palette, const Indices& indices) {

@@ -94,6 +94,35 @@ RC_GTEST_PROP(PaletteHull, BringsEveryColourInside, ()) {
   RC_ASSERT(!separated(entries, moved, 1e-6));
 }
 
+TEST(PaletteHull, MovesRowsAsItMovesColours) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> any(-0.2F, 1.2F);
+  const Colors inks{{0.04F, 0.03F, 0.04F},
+                    {0.9F, 0.9F, 0.9F},
+                    {0.04F, 0.1F, 0.06F},
+                    {0.3F, 0.06F, 0.07F},
+                    {0.6F, 0.5F, 0.06F}};
+  const Colors greys{{0, 0, 0}, {1, 1, 1}};
+  for (const Colors& entries : {kCube, kTetrahedron, inks, greys, Colors{}}) {
+    const PaletteHull hull(entries);
+    for (const std::size_t count : {std::size_t{1}, std::size_t{16}, std::size_t{77}}) {
+      std::array<std::vector<float>, 3> planes;
+      Colors expected;
+      for (std::size_t i = 0; i < count; ++i) {
+        const float r = any(random);
+        const float g = any(random);
+        const Color color{r, g, any(random)};
+        for (std::size_t c = 0; c < 3; ++c) planes[c].push_back(color[c]);
+        expected.push_back(hull.inside(color));
+      }
+      hull.inside_row({planes[0].data(), planes[1].data(), planes[2].data()}, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ((Color{planes[0][i], planes[1][i], planes[2][i]}), expected[i]);
+      }
+    }
+  }
+}
+
 TEST(PaletteHull, OfOneColourLeavesEverythingAlone) {
   const Color color{0.9F, 0.1F, 0.4F};
   for (const Colors& entries : {Colors{}, Colors{{0.5F, 0.5F, 0.5F}}, Colors(4, {1, 0, 0})}) {

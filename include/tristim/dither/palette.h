@@ -50,6 +50,10 @@ class MixPalette {
   /// Linear sRGB, clipped to [0, 1], in the numbers of the mix, inside what the palette can mix.
   Color from_light(const float* rgb) const noexcept;
 
+  /// The same of a row of pixels, to a plane for each number.
+  void from_light_row(std::span<const float> rgb,
+                      const std::array<float*, 3>& planes) const noexcept;
+
   /// The nearest entry of a colour given in the numbers of the mix.
   int nearest(const Color& color) const noexcept;
 
@@ -109,13 +113,25 @@ class MixPalette {
 void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
                          std::span<std::uint16_t> indices);
 
-/// Ordered dither to any palette by a plan of entries whose mean is the colour: each is the nearest
-/// to what the ones before it still owe; sorted by luminance, the matrix's rank picks one
-/// [Knoll08]. Row `y` of the picture. `strength`, pixel by pixel, 0 .. 1, draws the colour to its
-/// nearest entry first; empty: 1.
-void palette_ordered_row(const MixPalette& palette, const ThresholdMatrix& matrix, int y,
-                         std::span<const float> rgb, std::span<std::uint16_t> indices,
-                         std::span<const float> strength = {}) noexcept;
+/// Ordered dither to any palette by plans of entries whose mean is a colour: each is the nearest to
+/// what the ones before it still owe; sorted by luminance, the matrix's rank picks one [Knoll08].
+/// Entries are shown as themselves. Of a palette of two the fraction of the way between them is
+/// dithered as levels are.
+class PaletteOrdered {
+ public:
+  PaletteOrdered(const MixPalette& palette, const ThresholdMatrix& matrix);
+  PaletteOrdered(PaletteOrdered&&) noexcept;
+  ~PaletteOrdered();
+
+  /// Row `y` of the picture, of light. `strength`, pixel by pixel, 0 .. 1, draws the colour to its
+  /// nearest entry first; empty: 1. May be called from several threads.
+  void row(int y, std::span<const float> rgb, std::span<std::uint16_t> indices,
+           std::span<const float> strength = {}) const;
+
+ private:
+  struct State;
+  std::unique_ptr<const State> state_;
+};
 
 /// Error diffusion to a palette [FloydSteinberg76]: the nearest entry in the metric, the error in
 /// the numbers of the mix. Colours that the palette cannot mix are moved inside its hull first, see

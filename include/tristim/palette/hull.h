@@ -24,13 +24,17 @@ class PaletteHull {
   /// towards the grey of its luminance until it is inside, which keeps the dominant wavelength.
   Color inside(const Color& color) const noexcept;
 
+  /// The same of `count` colours, a plane for each number, bit for bit and many at a time.
+  void inside_row(const std::array<float*, 3>& planes, std::size_t count) const noexcept;
+
   static constexpr std::size_t kMost = 64;
 
- private:
   struct HalfSpace {  // n . x <= d
     std::array<float, 3> n;
     float d;
   };
+
+ private:
   Color flattened(const Color& color) const noexcept;
   Color towards(const Color& color, const Color& anchor) const noexcept;
 
