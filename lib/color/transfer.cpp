@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "lib/color/odd.h"
+#include "lib/color/precise_curves.h"
 #include "lib/core/math.h"
 
 namespace tristim {
@@ -27,10 +28,17 @@ bool straight(double x, double joint, const OffsetPower& curve) noexcept {
   return curve.joint_is_straight ? x <= joint : x < joint;
 }
 
+Dd encode_power(Dd linear, const OffsetPower& curve) noexcept {
+  return curve.alpha * detail::pow_precise(linear, curve.exponent) - (curve.alpha - 1);
+}
+
+Dd decode_power(Dd encoded, const OffsetPower& curve) noexcept {
+  return detail::pow_precise((encoded + (curve.alpha - 1)) / curve.alpha, 1 / curve.exponent);
+}
+
 double encode(double linear, const OffsetPower& curve) noexcept {
   return detail::odd(linear, [&](double x) {
-    if (straight(x, curve.linear_joint, curve)) return curve.slope * x;
-    return (curve.alpha * detail::pow_precise(x, curve.exponent) - (curve.alpha - 1)).hi;
+    return straight(x, curve.linear_joint, curve) ? curve.slope * x : encode_power(x, curve).hi;
   });
 }
 
@@ -38,7 +46,7 @@ double decode(double encoded, const OffsetPower& curve) noexcept {
   return detail::odd(encoded, [&](double e) {
     if (straight(e, curve.encoded_joint, curve)) return e / curve.slope;
     if (e > 0x1p500) return kInfinity;  // all exponents are above 2
-    return detail::pow_precise((e + (curve.alpha - 1)) / curve.alpha, 1 / curve.exponent).hi;
+    return decode_power(e, curve).hi;
   });
 }
 
@@ -74,6 +82,16 @@ Dd monitor_root(double luminance) noexcept {
 }
 
 }  // namespace
+
+Dd detail::srgb_encode_precise(Dd linear) noexcept {
+  if (straight(linear.hi, kSrgb.linear_joint, kSrgb)) return decimal(kSrgb.slope) * linear;
+  return encode_power(linear, kSrgb);
+}
+
+Dd detail::srgb_decode_precise(Dd encoded) noexcept {
+  if (straight(encoded.hi, kSrgb.encoded_joint, kSrgb)) return encoded / decimal(kSrgb.slope);
+  return decode_power(encoded, kSrgb);
+}
 
 double srgb_encode(double linear) noexcept { return encode(linear, kSrgb); }
 double srgb_decode(double encoded) noexcept { return decode(encoded, kSrgb); }

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "lib/color/odd.h"
+#include "lib/color/precise_curves.h"
 #include "lib/core/math.h"
 #include "tristim/color/transfer.h"
 
@@ -45,22 +46,31 @@ Rgb black_or_nan(Rgb c) noexcept { return scaled(c, 0); }
 
 }  // namespace
 
-double pq_encode(double linear) noexcept {
-  if (std::isnan(linear)) return linear;
-  if (linear == kInfinity) return detail::pow_precise(Dd(kC2) / kC3, kM2).hi;
-  const Dd p = linear > 0 ? detail::pow_precise(linear, kM1) : Dd(0);
-  return detail::pow_precise((kC1 + kC2 * p) / (1 + kC3 * p), kM2).hi;
+Dd detail::pq_encode_precise(Dd linear) noexcept {
+  const Dd p = linear.hi > 0 ? pow_precise(linear, kM1) : Dd(0);
+  return pow_precise((kC1 + kC2 * p) / (1 + kC3 * p), kM2);
 }
 
-double pq_decode(double encoded) noexcept {
-  if (!(encoded > 0)) return std::isnan(encoded) ? encoded : 0;
-  if (encoded >= 2) return kInfinity;  // beyond the pole at (c2/c3)^m2 = 1.99
-  const Dd p = detail::pow_precise(encoded, 1 / Dd(kM2));
+Dd detail::pq_decode_precise(Dd encoded) noexcept {
+  if (!(encoded.hi > 0)) return 0;
+  const Dd p = pow_precise(encoded, 1 / Dd(kM2));
   const Dd rise = p - kC1;
   const Dd pole = kC2 - kC3 * p;
   if (!(rise.hi > 0)) return 0;
   if (!(pole.hi > 0)) return kInfinity;
-  return detail::pow_precise(rise / pole, 1 / Dd(kM1)).hi;
+  return pow_precise(rise / pole, 1 / Dd(kM1));
+}
+
+double pq_encode(double linear) noexcept {
+  if (std::isnan(linear)) return linear;
+  if (linear == kInfinity) return detail::pow_precise(Dd(kC2) / kC3, kM2).hi;
+  return detail::pq_encode_precise(linear).hi;
+}
+
+double pq_decode(double encoded) noexcept {
+  if (std::isnan(encoded)) return encoded;
+  return encoded < 2 ? detail::pq_decode_precise(encoded).hi
+                     : kInfinity;  // the pole is at (c2/c3)^m2 = 1.99
 }
 
 double hlg_encode(double linear) noexcept {
