@@ -1,14 +1,17 @@
+#include "tristim/device/levels.h"
+
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "tools/commands.h"
+#include "tools/levels_job.h"
+#include "tools/levels_options.h"
+#include "tools/outputs.h"
 #include "tools/report.h"
-#include "tristim/color/lab.h"
 #include "tristim/core/error.h"
+#include "tristim/core/file.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
-#include "tristim/device/levels.h"
 
 namespace tristim::tools {
 namespace {
@@ -19,141 +22,113 @@ constexpr std::string_view kExamples =
     "  tristim levels --n 15 --i0 0.02 --gamma 2.2 --vmax 255\n"
     "  tristim levels --n 255 --i0 0.01 --gamma 2.5 --json\n"
     "  tristim levels --n 15 --i0 0.02 --nearest 0.2\n"
-    "  tristim levels --n 15 --c > table.h\n";
+    "  tristim levels --n 63 --gamma 2.1,2.2,2.4 --store index --c > color_table.h\n"
+    "  printf '0,0.4\\n64,6\\n128,22\\n192,55\\n255,102\\n' > panel.csv && tristim levels --n 15 "
+    "--measured panel.csv --plot levels.svg\n"
+    "  tristim levels --dimming --n 255 --vmax 4095 --dead-reckoned --c --progmem > dimming.h\n"
+    "  tristim levels --dimming --n 63 --vmax 255 --temporal 2 --json\n"
+    "  tristim levels --spacing bt1886 --lw 100 --lb 0.05 --gamma 2.2 --vmax 1023\n"
+    "  tristim levels --device crt-p22 --plot crt.svg\n";
 
 struct Options {
-  LevelTable table;
-  double gamma = 2.2;
-  double k = 0;
-  int vmax = 255;
+  LevelsOptions levels;
+  CTableOptions c_table;
   std::vector<double> nearest;
-  bool json = false, c = false;
+  std::string plot;
+  bool json = false, c = false, force = false;
 };
 
-double largest_lstar_step(const std::vector<double>& levels) {
-  double largest = 0;
-  for (std::size_t j = 1; j < levels.size(); ++j) {
-    largest =
-        std::max(largest, lstar_from_luminance(levels[j]) - lstar_from_luminance(levels[j - 1]));
-  }
-  return largest;
-}
-
-Json facts(const Options& options, const std::vector<double>& levels,
-           const std::vector<int>& codes) {
-  const std::set<int> distinct(codes.begin(), codes.end());
-  return Json{{"I0", options.table.i0},
-              {"n", options.table.n},
-              {"gamma", options.gamma},
-              {"Vmax", options.vmax},
-              {"spacing", options.table.spacing->name},
-              {"dynamic_range", 1 / options.table.i0},
-              {"ratio", levels[1] / levels[0]},
-              {"distinct", distinct.size()},
-              {"largest_lstar_step", largest_lstar_step(levels)},
-              {"I", levels},
-              {"V", codes}};
-}
-
-std::string table_text(const Json& facts) {
-  std::string text = "dynamic range " + rounded(facts["dynamic_range"], 9) + ", ratio " +
-                     rounded(facts["ratio"], 9) + ", distinct codes " + facts["distinct"].dump() +
-                     " of " + std::to_string(facts["V"].size()) + ", largest step " +
-                     rounded(facts["largest_lstar_step"], 4) +
-                     " L*\n   j  I_j                     V_j\n";
-  for (std::size_t j = 0; j < facts["V"].size(); ++j) {
-    const std::string index = std::to_string(j);
-    std::string intensity = shortest(facts["I"][j]);
-    intensity.resize(std::max<std::size_t>(24, intensity.size() + 1), ' ');
-    text.append(index.size() < 4 ? 4 - index.size() : 0, ' ');
-    text.append(index).append("  ").append(intensity).append(facts["V"][j].dump()).append("\n");
-  }
-  return text;
-}
-
-std::string c_text(const Options& options, const std::vector<int>& codes) {
-  const std::string type = options.vmax < 256 ? "uint8_t" : "uint16_t";
-  std::string text = "#pragma once\n\n#include <stdint.h>\n\n/* Code of each intensity level: I0 " +
-                     shortest(options.table.i0) + ", gamma " + shortest(options.gamma) + ", " +
-                     std::string(options.table.spacing->name) +
-                     " spacing. */\n#define LEVEL_COUNT " + std::to_string(codes.size()) +
-                     "\nstatic const " + type + " level_codes[LEVEL_COUNT] = {";
-  for (std::size_t j = 0; j < codes.size(); ++j) {
-    text += (j % 16 == 0 ? "\n    " : " ") + std::to_string(codes[j]) + ",";
-  }
-  return text + "\n};\n";
-}
-
-void print_nearest(const Options& options) {
+void print_nearest(const Options& options, const LevelTable& table) {
   Json list = Json::array();
   std::string text;
   for (const double intensity : options.nearest) {
-    const auto j = nearest_level(intensity, options.table);
+    const auto j = nearest_level(intensity, table);
     list.push_back(j ? Json(*j) : Json(nullptr));
     text += (j ? std::to_string(*j) : "none") + "\n";
   }
   print(options.json ? json_line(list) : text);
 }
 
+void add_nearest(std::vector<double>& nearest, const std::string& list) {
+  for (const std::string_view part : split(list, ',')) {
+    const auto intensity = parse_number(part);
+    if (!intensity) {
+      throw Error(ErrorKind::kMisuse, "--nearest", "'" + std::string(part) + "' is no number",
+                  "give intensities separated by commas: 0.1,0.2");
+    }
+    nearest.push_back(*intensity);
+  }
+}
+
+// The name of a table in C.
+std::string identifier(const std::string& name) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  const bool good =
+      !name.empty() && letter(name[0]) &&
+      std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); });
+  if (good) return name;
+  throw Error(ErrorKind::kMisuse, "--name", "'" + name + "' is no name in C",
+              "give letters, digits and '_'");
+}
+
 void declare(CommandLine& line, Options& options) {
-  constexpr double kOpen = 1e-12;
-  line.option("--n", "N", "highest level: N + 1 levels; default: 255",
-              [&](const std::string& v) { options.table.n = integer_option("--n", v, 1, 65535); });
-  line.option("--i0", "I", "lowest intensity, between 0 and 1; default: 0.02",
-              [&](const std::string& v) {
-                options.table.i0 = number_option("--i0", v, kOpen, 1 - kOpen, "between 0 and 1");
-              });
-  line.option("--gamma", "G", "exponent of the device; default: 2.2", [&](const std::string& v) {
-    options.gamma = options.table.gamma = number_option("--gamma", v, 0.01, 100);
-  });
-  line.option(
-      "--k", "K", "factor of I = K V^gamma; default: Vmax^-gamma",
-      [&](const std::string& v) { options.k = number_option("--k", v, 1e-300, 1e300, "above 0"); });
-  line.option("--vmax", "V", "highest code; default: 255",
-              [&](const std::string& v) { options.vmax = integer_option("--vmax", v, 1, 65535); });
-  line.option("--spacing", list_names(level_spacings(), "|"), "of the levels; default: ratio",
-              [&](const std::string& v) {
-                options.table.spacing = find_by_name(level_spacings(), v);
-                if (options.table.spacing == nullptr) {
-                  throw Error(ErrorKind::kMisuse, "--spacing", "unknown spacing '" + v + "'",
-                              name_hint(level_spacings(), v));
-                }
-              });
-  line.option(
-      "--nearest", "I,...", "print the nearest level of each intensity", [&](const std::string& v) {
-        for (const std::string_view part : split(v, ',')) {
-          const auto intensity = parse_number(part);
-          if (!intensity) {
-            throw Error(ErrorKind::kMisuse, "--nearest", "'" + std::string(part) + "' is no number",
-                        "give intensities separated by commas: 0.1,0.2");
-          }
-          options.nearest.push_back(*intensity);
-        }
-      });
+  declare_levels(line, options.levels);
+  line.section("Output");
+  line.option("--nearest", "I,...", "print the nearest level of each intensity",
+              [&](const std::string& v) { add_nearest(options.nearest, v); });
   line.flag("--json", "print the table as JSON, with the keys I0 n gamma Vmax I V and more",
             options.json);
   line.flag("--c", "print the codes as a C header", options.c);
+  line.flag("--progmem", "with --c: in the program memory of AVR processors",
+            options.c_table.progmem);
+  line.option("--name", "NAME", "with --c: of the table; default: level_codes, color_table",
+              [&](const std::string& v) { options.c_table.name = identifier(v); });
+  line.option("--plot", "OUT.svg", "draw light and L* of the levels and codes", options.plot);
+  line.flag("--force", "replace an existing drawing", options.force);
+}
+
+void check_together(const Options& options) {
+  const auto refuse = [](const std::string& option, const std::string& wrong,
+                         const std::string& remedy) {
+    throw Error(ErrorKind::kMisuse, option, wrong, remedy);
+  };
+  if (options.c && (options.json || !options.nearest.empty())) {
+    refuse("--c", "does not go with " + std::string(options.json ? "--json" : "--nearest"),
+           "give one of them");
+  }
+  if (!options.c && options.c_table.progmem) refuse("--progmem", "needs --c", "add --c");
+  if (!options.c && !options.c_table.name.empty()) refuse("--name", "needs --c", "add --c");
+}
+
+void write_plot(const Options& options, const LevelsJob& job,
+                const std::vector<ChannelLevels>& channels) {
+  OutputFile file(options.plot, options.force);
+  file.write(levels_plot(job, channels));
+  file.commit();
 }
 
 }  // namespace
 
 void run_levels(Arguments arguments) {
   Options options;
-  options.table.spacing = find_by_name(level_spacings(), "ratio");
   CommandLine line(*find_by_name(kCommands, "levels"), kExamples);
   declare(line, options);
   if (!line.parse(arguments)) return;
-  if (options.c && (options.json || !options.nearest.empty())) {
-    throw Error(ErrorKind::kMisuse, "--c",
-                "does not go with " + std::string(options.json ? "--json" : "--nearest"),
-                "give one of them");
+  check_together(options);
+  if (!options.plot.empty()) {
+    refuse_other_drawings(options.plot);
+    refuse_taken_outputs({options.plot}, options.force);
   }
-  if (!options.nearest.empty()) return print_nearest(options);
-  const std::vector<double> levels = intensity_levels(options.table);
-  const std::vector<int> codes = level_codes(levels, options.gamma, options.vmax, options.k);
-  if (options.c) return print(c_text(options, codes));
-  const Json table = facts(options, levels, codes);
-  print(options.json ? json_line(table) : table_text(table));
+  const LevelsJob job = levels_job(options.levels);
+  if (!options.nearest.empty()) return print_nearest(options, job.table);
+  const std::vector<ChannelLevels> channels = channel_levels(job);
+  if (!options.plot.empty()) write_plot(options, job, channels);
+  if (options.plot == "-") return;  // the drawing alone
+  if (options.c) return print(levels_c(job, channels, options.c_table));
+  print(options.json ? json_line(levels_json(job, channels)) : levels_text(job, channels));
 }
 
 }  // namespace tristim::tools

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lib/core/math.h"
+#include "lib/device/spacing.h"
 
 namespace tristim {
 namespace {
@@ -34,20 +35,19 @@ void keep_distinct(LevelScale& scale) {
   scale.code.resize(kept);
 }
 
-LevelScale curve_scale(const Display& display, int bits, BlackPoint black_point) {
-  const int code_max = code_max_of(bits);
-  const double black = light_of_code(display.response, 0, code_max);
+LevelScale curve_scale(const Response& response, int code_max, BlackPoint black_point) {
+  const double black = light_of_code(response, 0, code_max);
   LevelScale scale;
   for (int c = 0; c <= code_max; ++c) {
-    const double light = light_of_code(display.response, c, code_max);
+    const double light = light_of_code(response, c, code_max);
     scale.light.push_back(static_cast<float>(picture_light(light, black, black_point)));
     scale.code.push_back(static_cast<std::uint16_t>(c));
     scale.nearest.push_back(static_cast<std::uint16_t>(c));
     if (c == 0) continue;
-    const double middle = light_of_code(display.response, c - 0.5, code_max);
+    const double middle = light_of_code(response, c - 0.5, code_max);
     const auto reaches = [&](double picture) {
       const double i = device_light(picture, black, black_point);
-      return code_of_light(display.response, i, code_max) >= c - 0.5;
+      return code_of_light(response, i, code_max) >= c - 0.5;
     };
     scale.threshold.push_back(
         detail::first_float(picture_light(middle, black, black_point), reaches));
@@ -56,22 +56,20 @@ LevelScale curve_scale(const Display& display, int bits, BlackPoint black_point)
   return scale;
 }
 
-double emitted(const Display& display, int code, int code_max) {
-  return light_of_code(display.response, code, code_max);
-}
-
-LevelScale table_scale(const Display& display, int bits, BlackPoint black_point) {
+LevelScale table_scale(const Display& display, const Response& response, int code_max,
+                       BlackPoint black_point) {
   const LevelTable& table = *display.levels;
-  const int code_max = code_max_of(bits);
   const bool index = display.frame.store == Store::kIndex;
   const std::vector<double> levels = intensity_levels(table);
-  const std::vector<int> values = display_level_codes(display, bits);
-  const double black = emitted(display, values.front(), code_max);
+  const std::vector<int> values = level_codes(table, response, code_max);
+  const detail::LevelPositions positions(table);
+  const double lowest = levels.front();
+  const double black = light_of_code(response, values.front(), code_max);
   LevelScale scale;
   for (int j = 0; j <= table.n; ++j) {
     const int value = values[static_cast<std::size_t>(j)];
     const auto stored = static_cast<std::uint16_t>(index ? j : value);
-    const double light = emitted(display, value, code_max);
+    const double light = light_of_code(response, value, code_max);
     scale.light.push_back(static_cast<float>(picture_light(light, black, black_point)));
     scale.code.push_back(stored);
     scale.nearest.push_back(stored);
@@ -80,26 +78,13 @@ LevelScale table_scale(const Display& display, int bits, BlackPoint black_point)
     const double upper = levels[static_cast<std::size_t>(j)];
     // Picture black is the lowest level, I0, whatever code rounding made of it.
     const auto reaches = [&](double picture) {
-      const double i = device_light(picture, table.i0, black_point);
-      return nearest_level(i, table).value_or(0) >= j;
+      return positions.nearest(device_light(picture, lowest, black_point)) >= j;
     };
-    scale.threshold.push_back(detail::first_float(
-        picture_light(std::sqrt(lower * upper), table.i0, black_point), reaches));
+    scale.threshold.push_back(
+        detail::first_float(picture_light(std::sqrt(lower * upper), lowest, black_point), reaches));
   }
   keep_distinct(scale);
   return scale;
-}
-
-double gamma_of(const Response& response) {
-  const auto* gamma = std::get_if<GammaResponse>(&response);
-  return gamma != nullptr ? gamma->gamma : 0;
-}
-
-// V_j by the document's formula where the response is a pure power; by the response's inverse
-// elsewhere.
-int value_of_level(const Display& display, double intensity, int code_max) {
-  const double v = code_of_light(display.response, intensity, code_max);
-  return static_cast<int>(std::floor(v + 0.5));
 }
 
 }  // namespace
@@ -108,35 +93,47 @@ bool is_monochrome(const Display& display) noexcept {
   return display.frame.packing.samples == 1 && !display.frame.packing.indexed;
 }
 
-std::vector<int> display_level_codes(const Display& display, int bits) {
+const Response& response_of(const Display& display, int channel) noexcept {
+  const auto& own = display.channel_response[static_cast<std::size_t>(channel)];
+  return own ? *own : display.response;
+}
+
+bool has_one_response(const Display& display) noexcept {
+  const auto& own = display.channel_response;
+  return !own[0] && !own[1] && !own[2];
+}
+
+std::string describe_responses(const Display& display) {
+  if (has_one_response(display)) return describe(display.response);
+  constexpr const char* kNames[] = {"red: ", "; green: ", "; blue: "};
+  std::string text;
+  for (int c = 0; c < 3; ++c) text += kNames[c] + describe(response_of(display, c));
+  return text;
+}
+
+std::vector<int> display_level_codes(const Display& display, int bits, int channel) {
   if (!display.levels) throw std::invalid_argument("display: it has no intensity levels");
-  const int code_max = code_max_of(bits);
-  const std::vector<double> levels = intensity_levels(*display.levels);
-  const double gamma = gamma_of(display.response);
-  const auto* power = std::get_if<GammaResponse>(&display.response);
-  if (gamma > 0 && power->i0 == 0) return level_codes(levels, gamma, code_max, power->k);
-  std::vector<int> values;
-  for (const double i : levels) values.push_back(value_of_level(display, i, code_max));
-  return values;
+  return level_codes(*display.levels, response_of(display, channel), code_max_of(bits));
 }
 
-LevelScale level_scale(const Display& display, int bits, BlackPoint black_point) {
-  return display.levels ? table_scale(display, bits, black_point)
-                        : curve_scale(display, bits, black_point);
+LevelScale level_scale(const Display& display, int bits, BlackPoint black_point, int channel) {
+  const Response& response = response_of(display, channel);
+  const int code_max = code_max_of(bits);
+  return display.levels ? table_scale(display, response, code_max, black_point)
+                        : curve_scale(response, code_max, black_point);
 }
 
-std::vector<double> light_of_codes(const Display& display, int bits) {
+std::vector<double> light_of_codes(const Display& display, int bits, int channel) {
   const int code_max = code_max_of(bits);
+  const bool index = display.levels && display.frame.store == Store::kIndex;
+  const std::vector<int> values =
+      index ? display_level_codes(display, bits, channel) : std::vector<int>{};
   std::vector<double> light;
-  if (display.levels && display.frame.store == Store::kIndex) {
-    const std::vector<int> values = display_level_codes(display, bits);
-    for (int c = 0; c <= code_max; ++c) {
-      const auto j = std::min(static_cast<std::size_t>(c), values.size() - 1);
-      light.push_back(emitted(display, values[j], code_max));
-    }
-    return light;
+  for (int c = 0; c <= code_max; ++c) {
+    const auto j = static_cast<std::size_t>(c);
+    const int value = index ? values[std::min(j, values.size() - 1)] : c;
+    light.push_back(light_of_code(response_of(display, channel), value, code_max));
   }
-  for (int c = 0; c <= code_max; ++c) light.push_back(emitted(display, c, code_max));
   return light;
 }
 

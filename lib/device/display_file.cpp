@@ -6,6 +6,7 @@
 #include "lib/core/embedded.h"
 #include "lib/core/toml.h"
 #include "lib/device/read_display.h"
+#include "lib/device/spacing.h"
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
 #include "tristim/core/find.h"
@@ -83,11 +84,11 @@ Primaries read_primaries(const TomlTable& root) {
   return primaries;
 }
 
-std::optional<LevelTable> read_levels(const TomlTable& root, const FrameLayout& frame) {
+std::optional<LevelTable> read_levels(const TomlTable& root, const Display& display) {
   const auto table = root.table("levels");
   if (!table) return std::nullopt;
   LevelTable levels;
-  const int bits = frame.packing.bits[0];
+  const int bits = display.frame.packing.bits[0];
   const int code_max = (1 << bits) - 1;
   levels.i0 = number_in(*table, "i0", levels.i0, kTiny, 1 - kTiny, "between 0 and 1");
   levels.gamma = number_in(*table, "gamma", levels.gamma, 0.01, 100, "from 0.01 to 100");
@@ -101,6 +102,16 @@ std::optional<LevelTable> read_levels(const TomlTable& root, const FrameLayout& 
     if (levels.spacing == nullptr) {
       table->fail("spacing", "unknown spacing '" + *name + "'", name_hint(level_spacings(), *name));
     }
+  }
+  levels.peak_cd_m2 = number_in(*table, "peak", levels.peak_cd_m2, kTiny, 1e6, "above 0, in cd/m2");
+  levels.from_zero = table->boolean("from_zero").value_or(false);
+  if (const auto* measured = std::get_if<TableResponse>(&display.response)) {
+    levels.measured = *measured;
+  }
+  try {
+    (void)detail::LevelPositions(levels);
+  } catch (const std::invalid_argument& bad) {
+    table->fail("spacing", bad.what());
   }
   table->finish();
   return levels;
@@ -148,9 +159,8 @@ Display parse_display(std::string_view text, const std::string& file,
   display.frame = read_frame(root);
   display.panel = read_panel(root);
   display.primaries = read_primaries(root);
-  const double code_max = (1 << display.frame.packing.bits[0]) - 1;
-  display.response = detail::read_response(root, code_max, directory);
-  display.levels = read_levels(root, display.frame);
+  detail::read_response(root, display, directory);
+  display.levels = read_levels(root, display);
   display.dots = detail::read_dots(root, display.press);
   detail::read_palette(root, display);
   detail::read_inks(root, display);

@@ -13,7 +13,9 @@ namespace tristim::detail {
 
 bool strictly_ascending(const std::vector<double>& values);
 
-Response read_response(const TomlTable& root, double code_max, const std::string& directory);
+/// The response of all channels and those of single ones, of a display whose frame is known; tables
+/// beside the file are looked for in `directory`.
+void read_response(const TomlTable& root, Display& display, const std::string& directory);
 
 /// [dots], and the press that it describes where it lists inks.
 std::optional<Dots> read_dots(const TomlTable& root, std::optional<Press>& press);

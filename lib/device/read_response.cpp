@@ -1,98 +1,142 @@
 #include <cmath>
 
 #include "lib/device/read_display.h"
-#include "tristim/core/file.h"
 #include "tristim/core/text.h"
+#include "tristim/device/measured.h"
 
 namespace tristim::detail {
 namespace {
 
-TableResponse checked_table(const TomlTable& table, std::string_view key,
-                            const std::vector<std::vector<double>>& rows, double code_max) {
-  TableResponse response;
-  for (const auto& row : rows) {
-    if (row.size() != 2) table.fail(key, "a row is no pair", "give [code, luminance] pairs");
-    response.code.push_back(row[0]);
-    response.luminance.push_back(row[1]);
-  }
-  if (rows.size() < 2) table.fail(key, "a measured table needs at least 2 rows");
-  if (!strictly_ascending(response.code) || !strictly_ascending(response.luminance)) {
-    table.fail(key, "the measured table is not ascending",
-               "sort the rows by code; luminance must rise from row to row");
-  }
-  if (response.code.front() < 0 || response.code.back() > code_max ||
-      response.luminance.front() < 0) {
-    table.fail(key, "the measured table leaves the codes 0.." + shortest(code_max) +
-                        " or has negative luminance");
-  }
-  return response;
-}
-
-std::vector<std::vector<double>> csv_rows(const TomlTable& table, const std::string& path) {
-  std::vector<std::vector<double>> rows;
-  const std::string text = read_text_file(path, std::size_t{1} << 20);
-  for (std::string_view line : split(text, '\n')) {
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.empty() || line.starts_with('#')) continue;
-    const std::vector<std::string_view> cells = split(line, ',');
-    std::vector<double> row;
-    for (std::string_view cell : cells) {
-      while (cell.starts_with(' ')) cell.remove_prefix(1);
-      while (cell.ends_with(' ')) cell.remove_suffix(1);
-      const auto value = parse_number(cell);
-      if (value && std::isfinite(*value)) row.push_back(*value);
-    }
-    const bool header = rows.empty() && row.empty();
-    if (header) continue;
-    if (row.size() != 2 || cells.size() != 2) {
-      table.fail("file", path + ": '" + std::string(line) + "' is no pair of code and luminance");
-    }
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-Response read_table_response(const TomlTable& table, double code_max,
-                             const std::string& directory) {
-  const auto pairs = table.rows("table");
-  const auto file = table.string("file");
-  if (pairs) return checked_table(table, "table", *pairs, code_max);
-  if (!file) {
-    table.fail("kind", "a measured response has no figures",
-               "give table = [[code, luminance], ...] or file = \"measured.csv\"");
-  }
-  if (directory.empty()) table.fail("file", "no file can be named here", "give the table itself");
-  const std::string path = file->starts_with('/') ? *file : directory + "/" + *file;
-  return checked_table(table, "file", csv_rows(table, path), code_max);
-}
+constexpr std::string_view kChannels[] = {"red", "green", "blue"};
 
 struct ResponseKind {
   std::string_view name;
 };
-constexpr ResponseKind kResponseKinds[] = {{"srgb"}, {"linear"}, {"gamma"}, {"bt1886"}, {"table"}};
+constexpr ResponseKind kResponseKinds[] = {{"srgb"},   {"linear"}, {"gamma"},
+                                           {"bt1886"}, {"gog"},    {"table"}};
+
+// What every response is read with.
+struct Reader {
+  double code_max;
+  const std::string& directory;
+};
+
+TableResponse inline_table(const TomlTable& table, const std::vector<std::vector<double>>& rows) {
+  TableResponse response;
+  for (const auto& row : rows) {
+    if (row.size() != 2) table.fail("table", "a row is no pair", "give [code, luminance] pairs");
+    response.code.push_back(row[0]);
+    response.luminance.push_back(row[1]);
+  }
+  if (rows.size() < 2) table.fail("table", "a measured table needs at least 2 rows");
+  if (const auto fault = measured_fault(response.code, response.luminance)) {
+    table.fail("table", "row " + std::to_string(fault->rows[0] + 1) + ": " + fault->wrong);
+  }
+  return response;
+}
+
+MeasuredTable beside(const TomlTable& table, const std::string& file, const Reader& reader) {
+  if (reader.directory.empty()) {
+    table.fail("file", "no file can be named here", "give the table itself");
+  }
+  return load_measured(file.starts_with('/') ? file : reader.directory + "/" + file);
+}
+
+// One table, or of a file with a column for each channel, three.
+std::vector<Response> read_tables(const TomlTable& table, const Reader& reader) {
+  std::vector<Response> responses;
+  const double code_max = number_in(table, "code_max", 0, table.has("code_max") ? 1 : 0, 65535,
+                                    "from 1 to 65535, the highest code of the table's kind");
+  const auto add = [&](std::string_view key, TableResponse response) {
+    const double most = code_max > 0 ? code_max : reader.code_max;
+    if (response.code.back() > most) {
+      table.fail(key, "the measured table leaves the codes 0.." + shortest(most),
+                 "give code_max where its codes are others than the frame buffer's");
+    }
+    response.code_max = most;
+    responses.emplace_back(std::move(response));
+  };
+  const auto rows = table.rows("table");
+  const auto file = table.string("file");
+  if (rows && file) table.fail("file", "both table and file are given", "give one of them");
+  if (rows) {
+    add("table", inline_table(table, *rows));
+  } else if (file) {
+    const MeasuredTable measured = beside(table, *file, reader);
+    for (std::size_t c = 0; c < measured.luminance.size(); ++c) {
+      add("file", measured_response(measured, c));
+    }
+  } else {
+    table.fail("kind", "a measured response has no figures",
+               "give table = [[code, luminance], ...] or file = \"measured.csv\"");
+  }
+  return responses;
+}
+
+constexpr std::string_view kBelowOne = "from 0 up to, not including, 1";
+
+double read_gamma(const TomlTable& table) {
+  return number_in(table, "gamma", 2.2, 0.01, 100, "from 0.01 to 100");
+}
+
+// One response for all channels, or three.
+std::vector<Response> read_kind(const TomlTable& table, const Reader& reader) {
+  const std::string_view kind = choice(table, "kind", kResponseKinds, kResponseKinds[0]).name;
+  if (kind == "table") return read_tables(table, reader);
+  if (kind == "linear") return {LinearResponse{}};
+  if (kind == "gamma") {
+    return {GammaResponse{
+        .gamma = read_gamma(table),
+        .i0 = number_in(table, "i0", 0, 0, 1 - kTiny, kBelowOne),
+        .k = number_in(table, "k", 0, table.has("k") ? 1e-300 : 0, 1e300, "above 0")}};
+  }
+  if (kind == "bt1886") {
+    return {Bt1886Response{number_in(table, "black", 0, 0, 1 - kTiny, kBelowOne)}};
+  }
+  if (kind == "gog") {
+    return {GogResponse{
+        .gamma = read_gamma(table),
+        .offset = number_in(table, "offset", 0, kTiny - 1, 1 - kTiny, "between -1 and 1"),
+        .black = number_in(table, "black", 0, 0, 1 - kTiny, kBelowOne)}};
+  }
+  return {SrgbResponse{}};
+}
+
+void take(const TomlTable& table, const std::vector<Response>& read, Display& display) {
+  if (read.size() == 1) {
+    display.response = read[0];
+    return;
+  }
+  if (display.frame.packing.samples != 3) {
+    table.fail("file", "it measures red, green and blue, but the codes have one channel",
+               "give a file with the columns code,luminance");
+  }
+  for (std::size_t c = 0; c < 3; ++c) display.channel_response[c] = read[c];
+}
 
 }  // namespace
 
-Response read_response(const TomlTable& root, double code_max, const std::string& directory) {
+void read_response(const TomlTable& root, Display& display, const std::string& directory) {
   const auto table = root.table("response");
-  if (!table) return SrgbResponse{};
-  const std::string_view kind = choice(*table, "kind", kResponseKinds, kResponseKinds[0]).name;
-  Response response = SrgbResponse{};
-  if (kind == "linear") response = LinearResponse{};
-  if (kind == "gamma") {
-    GammaResponse gamma;
-    gamma.gamma = number_in(*table, "gamma", 2.2, 0.01, 100, "from 0.01 to 100");
-    gamma.i0 = number_in(*table, "i0", 0, 0, 1 - kTiny, "from 0 up to, not including, 1");
-    gamma.k = number_in(*table, "k", 0, table->has("k") ? 1e-300 : 0, 1e300, "above 0");
-    response = gamma;
+  if (!table) return;
+  const auto code_max = [&](std::size_t c) {
+    return static_cast<double>((1 << display.frame.packing.bits[c]) - 1);
+  };
+  take(*table, read_kind(*table, {code_max(0), directory}), display);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto channel = table->table(kChannels[c]);
+    if (!channel) continue;
+    if (display.frame.packing.samples != 3) {
+      table->fail(kChannels[c], "the codes have one channel", "give one [response]");
+    }
+    const std::vector<Response> read = read_kind(*channel, {code_max(c), directory});
+    if (read.size() != 1) {
+      channel->fail("file", "a file of three channels stands in [response] itself");
+    }
+    display.channel_response[c] = read[0];
+    channel->finish();
   }
-  if (kind == "bt1886") {
-    response = Bt1886Response{
-        number_in(*table, "black", 0, 0, 1 - kTiny, "from 0 up to, not including, 1")};
-  }
-  if (kind == "table") response = read_table_response(*table, code_max, directory);
   table->finish();
-  return response;
 }
 
 }  // namespace tristim::detail

@@ -32,6 +32,7 @@ std::vector<PaletteEntry> colour_table(const Display& display) {
 
 // The curve of the codes, where a tag of the file formats describes it.
 void tag_curve(const Display& display, FrameInfo& info) {
+  if (!has_one_response(display)) return;
   const bool srgb_curve = std::holds_alternative<SrgbResponse>(display.response);
   info.srgb = srgb_curve && display.primaries == Primaries{};
   if (const auto* gamma = std::get_if<GammaResponse>(&display.response)) info.gamma = gamma->gamma;
@@ -53,7 +54,8 @@ Decoder::Decoder(const Display& display) : samples_(display.frame.packing.sample
     return;
   }
   for (std::size_t c = 0; c < 3; ++c) {
-    for (const double light : light_of_codes(display, display.frame.packing.bits[c])) {
+    for (const double light :
+         light_of_codes(display, display.frame.packing.bits[c], static_cast<int>(c))) {
       channel_[c].push_back(static_cast<float>(light));
     }
   }

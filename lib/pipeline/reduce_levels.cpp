@@ -60,7 +60,8 @@ LevelScale palette_scale(const Display& display, const ReduceOptions& options) {
 LevelScale channel_scale(const Display& display, const ReduceOptions& options,
                          std::size_t channel) {
   if (!display.palette.empty()) return palette_scale(display, options);
-  return level_scale(display, display.frame.packing.bits[channel], options.black_point);
+  return level_scale(display, display.frame.packing.bits[channel], options.black_point,
+                     static_cast<int>(channel));
 }
 
 // The channels of a band, each by itself.

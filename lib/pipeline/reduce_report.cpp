@@ -65,7 +65,7 @@ StepReport palette_report(const Metric& metric, int size) {
 StepReport response_report(const Display& display, std::span<const LevelScale> scales) {
   StepReport step{
       "response",
-      display.palette.empty() ? describe(display.response) : "levels are the palette's luminances",
+      display.palette.empty() ? describe_responses(display) : "levels are the palette's luminances",
       "",
       {}};
   if (display.levels) {

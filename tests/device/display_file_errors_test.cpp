@@ -41,7 +41,8 @@ const BadFile kBadFiles[] = {
     {"[response]\nkind = \"gamma\"\nk = 0", "4:5: k = 0 is out of range; give a number above 0"},
     {"[response]\nkind = \"bt1886\"\nblack = -0.1",
      "4:9: black = -0.1 is out of range; give a number from 0 up to, not including, 1"},
-    {"[response]\nkind = \"linear\"\ngamma = 2.2", "4:1: unknown key 'gamma'; use one of: kind"},
+    {"[response]\nkind = \"linear\"\ngamma = 2.2",
+     "4:1: unknown key 'gamma'; use one of: kind, red, green, blue"},
     {"[levels]\ni0 = 0", "3:6: i0 = 0 is out of range; give a number between 0 and 1"},
     {"[levels]\nn = 256",
      "3:5: n = 256 is out of range; give a number from 1 to 255, the packing's highest code"},
@@ -70,17 +71,28 @@ const BadFile kBadFiles[] = {
      "3:8: a measured response has no figures; give table = [[code, luminance], ...] or file = "
      "\"measured.csv\""},
     {"[response]\nkind = \"table\"\ntable = [[0, 1], [10, 5], [5, 6]]",
-     "4:9: the measured table is not ascending; sort the rows by code; luminance must rise from "
-     "row to row"},
+     "4:9: row 3: code 5 does not ascend from 10"},
     {"[response]\nkind = \"table\"\ntable = [[0, 1], [10, 1]]",
-     "4:9: the measured table is not ascending; sort the rows by code; luminance must rise from "
-     "row to row"},
+     "4:9: row 2: luminance does not rise"},
+    {"[response]\nkind = \"table\"\ntable = [[0, 1], [10, 5], [20, 4]]",
+     "4:9: row 3: luminance falls from 5 at code 10 to 4 at code 20"},
+    {"[response]\nkind = \"table\"\ntable = [[0, -1], [10, 5]]",
+     "4:9: row 1: luminance -1 at code 0 is below 0"},
     {"[response]\nkind = \"table\"\ntable = [[0, 1]]",
      "4:9: a measured table needs at least 2 rows"},
     {"[response]\nkind = \"table\"\ntable = [[0, 1, 2], [1, 2, 3]]",
      "4:9: a row is no pair; give [code, luminance] pairs"},
     {"[response]\nkind = \"table\"\ntable = [[0, 1], [256, 2]]",
-     "4:9: the measured table leaves the codes 0..255 or has negative luminance"},
+     "4:9: the measured table leaves the codes 0..255; give code_max where its codes are others "
+     "than the frame buffer's"},
+    // Gain, offset, gamma, and channels.
+    {"[response]\nkind = \"gog\"\noffset = 1",
+     "4:10: offset = 1 is out of range; give a number between -1 and 1"},
+    {"[frame_buffer]\npacking = \"gray8\"\n[response.red]\nkind = \"srgb\"",
+     "4:1: the codes have one channel; give one [response]"},
+    {"[response.green]\ngama = 2", "3:1: unknown key 'gama'; use one of: kind"},
+    {"[levels]\nspacing = \"measured\"", "3:11: spacing: measured needs a measured response"},
+    {"[levels]\nfrom_zero = true", "2:1: from zero: there is no ratio to 0"},
     {"[response]\nkind = \"table\"\nfile = \"m.csv\"",
      "4:8: no file can be named here; give the table itself"},
     // Palettes.

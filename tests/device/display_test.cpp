@@ -139,6 +139,20 @@ TEST(LevelScale, StoresIndicesWhereTheTableHoldsTheCodes) {
   EXPECT_EQ(light[200], 1);
 }
 
+TEST(ChannelResponses, TakeThePlaceOfTheCommonOne) {
+  Display display{.response = LinearResponse{}};
+  EXPECT_TRUE(has_one_response(display));
+  display.channel_response[1] = GammaResponse{.gamma = 2};
+  EXPECT_FALSE(has_one_response(display));
+  EXPECT_EQ(light_of_codes(display, 8, 0)[51], 0.2);
+  EXPECT_DOUBLE_EQ(light_of_codes(display, 8, 1)[51], 0.04);
+  EXPECT_EQ(level_scale(display, 8, BlackPoint::kRelative, 2).light[51], 0.2F);
+  EXPECT_EQ(level_scale(display, 8, BlackPoint::kRelative, 1).light[51], 0.04F);
+  EXPECT_EQ(describe_responses(display),
+            "red: linear: I = V / Vmax; green: gamma: I = i0 + (1 - i0) K V^gamma, gamma = 2, i0 = "
+            "0, K = Vmax^-gamma; blue: linear: I = V / Vmax");
+}
+
 TEST(DisplayLevelCodes, NeedsLevels) {
   EXPECT_EQ(error_text([] { display_level_codes(Display{}, 8); }),
             "invalid: display: it has no intensity levels");

@@ -20,6 +20,7 @@ std::vector<std::pair<const char*, Response>> responses() {
           {"gamma 2.2, k", GammaResponse{.gamma = 2.2, .k = std::pow(kCodeMax, -2.2)}},
           {"bt1886", Bt1886Response{}},
           {"bt1886, black", Bt1886Response{0.01}},
+          {"gog", GogResponse{.gamma = 2.1, .offset = 0.05, .black = 0.001}},
           {"table", kMeasured}};
 }
 
@@ -72,11 +73,39 @@ TEST(SrgbResponse, HasTheCurvesMiddle) {
   EXPECT_NEAR(light_of_code(SrgbResponse{}, 128, 255), 0.21586050011389915, 1e-16);
 }
 
-TEST(TableResponse, JoinsItsPointsByStraightLines) {
+// Berns' formula by hand: ((1 - .2) 127.5/255 + .2)^2 = .36, of which .1 is black.
+TEST(GogResponse, IsGainOffsetGamma) {
+  const GogResponse lifted{.gamma = 2, .offset = 0.2, .black = 0.1};
+  EXPECT_DOUBLE_EQ(light_of_code(lifted, 127.5, 255), 0.1 + 0.9 * 0.36);
+  EXPECT_DOUBLE_EQ(light_of_code(lifted, 0, 255), 0.1 + 0.9 * 0.04);
+  // Below the offset nothing lights: codes up to Vmax/5 are as dark as 0.
+  const GogResponse dead{.gamma = 2, .offset = -0.25};
+  EXPECT_EQ(light_of_code(dead, 51, 255), 0);
+  EXPECT_GT(light_of_code(dead, 52, 255), 0);
+  EXPECT_EQ(code_of_light(dead, 0, 255), 0);
+  EXPECT_NEAR(code_of_light(dead, 0.25, 255), 255 * 0.6, 1e-12);
+}
+
+TEST(GogResponse, WithGamma24IsBt1886) {
+  const GogResponse gog{.gamma = 2.4, .offset = std::pow(0.01, 1 / 2.4)};
+  for (double code = 0; code <= kCodeMax; code += 5) {
+    EXPECT_NEAR(light_of_code(gog, code, kCodeMax),
+                light_of_code(Bt1886Response{0.01}, code, kCodeMax), 1e-15);
+  }
+}
+
+TEST(TableResponse, CountsItsOwnCodes) {
+  const TableResponse eight{{0, 128, 255}, {0, 20, 100}, 255};
+  EXPECT_DOUBLE_EQ(light_of_code(eight, 63, 63), 1);
+  EXPECT_DOUBLE_EQ(light_of_code(eight, 128.0 / 255 * 63, 63), 0.2);
+  EXPECT_DOUBLE_EQ(code_of_light(eight, 0.2, 63), 128.0 / 255 * 63);
+}
+
+TEST(TableResponse, JoinsItsPointsByAMonotoneSpline) {
   EXPECT_EQ(light_of_code(kMeasured, 0, kCodeMax), 0.005);
   EXPECT_EQ(light_of_code(kMeasured, 200, kCodeMax), 0.7);
-  EXPECT_DOUBLE_EQ(light_of_code(kMeasured, 150, kCodeMax), 0.45);
-  EXPECT_DOUBLE_EQ(code_of_light(kMeasured, 0.45, kCodeMax), 150);
+  const double between = light_of_code(kMeasured, 150, kCodeMax);
+  EXPECT_DOUBLE_EQ(code_of_light(kMeasured, between, kCodeMax), 150);
 }
 
 TEST(TableResponse, HoldsItsEndsWhereItDoesNotSpanTheCodes) {
@@ -94,7 +123,7 @@ TEST(Describe, GivesTheFormulaWithItsNumbers) {
   EXPECT_EQ(describe(GammaResponse{.k = 1e-5}),
             "gamma: I = i0 + (1 - i0) K V^gamma, gamma = 2.2, i0 = 0, K = 1e-05");
   EXPECT_EQ(describe(Bt1886Response{0.001}), "BT.1886: I = a max(V + b, 0)^2.4, black = 0.001");
-  EXPECT_EQ(describe(kMeasured), "measured table of 5 codes, straight lines between");
+  EXPECT_EQ(describe(kMeasured), "measured table of 5 codes, a monotone spline between");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -62,6 +63,8 @@ struct Display {
              // chosen for a picture) appearances are relative to the viewing white, Y = 1
   Primaries primaries;  // phosphors and white; of a palette: the space in which it mixes
   Response response = SrgbResponse{};
+  std::array<std::optional<Response>, 3>
+      channel_response;              // of red, green, blue where they have one of their own
   std::optional<LevelTable> levels;  // codes are these intensity levels
   std::optional<Dots> dots;
   std::optional<Press>
@@ -70,6 +73,15 @@ struct Display {
 
 /// Whether the codes carry no colour: one grey channel, with a palette or without.
 bool is_monochrome(const Display& display) noexcept;
+
+/// How the codes of a channel, 0..2, become light.
+const Response& response_of(const Display& display, int channel) noexcept;
+
+/// Whether all channels have one response.
+bool has_one_response(const Display& display) noexcept;
+
+/// One line of formula with its numbers; of each channel where they differ.
+std::string describe_responses(const Display& display);
 
 /// What picture black and the device's black have to do with each other.
 enum class BlackPoint {
@@ -99,18 +111,18 @@ struct LevelScale {
 /// A curve without levels decides at the exact curve rounded half up: the thresholds are the
 /// smallest floats whose code, not rounded, reaches c - 1/2. Intensity levels decide by the nearest
 /// level (nearest_level); mixing uses the light of the codes V_j, which is what the device emits.
-LevelScale level_scale(const Display& display, int bits, BlackPoint black_point);
+LevelScale level_scale(const Display& display, int bits, BlackPoint black_point, int channel = 0);
 
 /// Light relative to the white of every code of a channel with `bits` bits, as the frame buffer
 /// holds it.
-std::vector<double> light_of_codes(const Display& display, int bits);
+std::vector<double> light_of_codes(const Display& display, int bits, int channel = 0);
 
 /// The palette as linear RGB of the display's primaries, adapted (Bradford) so that its lightest
 /// entry is (1, 1, 1); with kRelative its darkest is (0, 0, 0) too. Empty without a palette.
 std::vector<Rgb> palette_light(const Display& display, BlackPoint black_point);
 
-/// The code table of a display with intensity levels: V_j of each level.
+/// The code table of a channel of a display with intensity levels: V_j of each level.
 /// Throws std::invalid_argument where the display has none.
-std::vector<int> display_level_codes(const Display& display, int bits);
+std::vector<int> display_level_codes(const Display& display, int bits, int channel = 0);
 
 }  // namespace tristim

@@ -98,8 +98,10 @@ Profile display_profile(const Display& display) {
   const cmsCIExyY white = point(display.primaries.white);
   const cmsCIExyYTRIPLE primaries{point(display.primaries.red), point(display.primaries.green),
                                   point(display.primaries.blue)};
-  const ToneCurve curve = response_curve(display.response);
-  cmsToneCurve* const curves[3] = {curve.get(), curve.get(), curve.get()};
+  const ToneCurve red = response_curve(response_of(display, 0));
+  const ToneCurve green = response_curve(response_of(display, 1));
+  const ToneCurve blue = response_curve(response_of(display, 2));
+  cmsToneCurve* const curves[3] = {red.get(), green.get(), blue.get()};
   return checked(Profile(cmsCreateRGBProfile(&white, &primaries, curves)));
 }
 

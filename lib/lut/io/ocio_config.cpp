@@ -32,7 +32,8 @@ class DisplayWriter {
  public:
   DisplayWriter(const OcioDisplay& display, OcioConfig& config)
       : name_(display.name), display_(display.display), config_(config) {
-    if (display_.palette.empty()) black_ = light_of_codes(display_, bits(0)).front();
+    if (!display_.palette.empty()) return;
+    for (std::size_t c = 0; c < 3; ++c) black_[static_cast<int>(c)] = lights(c).front();
   }
 
   bool has_codes() const { return display_.palette.empty(); }
@@ -62,11 +63,11 @@ class DisplayWriter {
       steps.push_back(ocio_line(Eigen::Vector3d::Ones() - low, low));
     } else if (has_steps()) {
       std::array<std::vector<double>, 3> light;
-      for (std::size_t c = 0; c < 3; ++c) light[c] = light_of_codes(display_, bits(c));
+      for (std::size_t c = 0; c < 3; ++c) light[c] = lights(c);
       const auto shown = [&](std::size_t code, std::size_t c) { return light[c][code]; };
       steps.push_back(ocio_table(write_table("light", of_levels(shown))));
     } else {
-      steps.push_back(ocio_line(1 - black_, black_));
+      steps.push_back(ocio_line(Eigen::Vector3d::Ones() - black_, black_));
     }
     steps.push_back(ocio_matrix(srgb));
     steps.push_back(ocio_clip());
@@ -75,6 +76,11 @@ class DisplayWriter {
   }
 
  private:
+  // Light of every code of a channel.
+  std::vector<double> lights(std::size_t channel) const {
+    return light_of_codes(display_, bits(channel), static_cast<int>(channel));
+  }
+
   int bits(std::size_t channel) const {
     return display_.frame.packing.bits[display_.frame.packing.samples == 1 ? 0 : channel];
   }
@@ -102,7 +108,15 @@ class DisplayWriter {
 
   // The response as formulas of OpenColorIO, whose powers end at 0 as ours do.
   void append_response(Transforms& steps) {
-    if (std::holds_alternative<SrgbResponse>(display_.response)) {
+    const bool measured = std::holds_alternative<TableResponse>(display_.response) ||
+                          std::holds_alternative<GogResponse>(display_.response);
+    if (measured || !has_one_response(display_)) {
+      const std::string file = name_ + "-response.clf";
+      config_.files.push_back(
+          {file, detail::clf_text(
+                     name_, detail::half_domain_node({positions(0), positions(1), positions(2)}))});
+      steps.push_back(ocio_table(file));
+    } else if (std::holds_alternative<SrgbResponse>(display_.response)) {
       steps.push_back(ocio_table(srgb_table()));
     } else if (const auto* gamma = std::get_if<GammaResponse>(&display_.response)) {
       const double most = std::ldexp(1.0, bits(0)) - 1;
@@ -112,16 +126,10 @@ class DisplayWriter {
       if (gamma->k > 0) steps.push_back(ocio_clip());
     } else if (const auto* studio = std::get_if<Bt1886Response>(&display_.response)) {
       const double root = std::pow(studio->black, 1 / 2.4);
-      steps.push_back(ocio_line(1 - black_, black_));
+      steps.push_back(ocio_line(1 - black_[0], black_[0]));
       steps.push_back(ocio_power(2.4, true));
       steps.push_back(ocio_line(1 / (1 - root), -root / (1 - root)));
       steps.push_back(ocio_clip());
-    } else if (std::holds_alternative<TableResponse>(display_.response)) {
-      const std::string file = name_ + "-response.clf";
-      const std::vector<float> curve = positions(bits(0));
-      config_.files.push_back(
-          {file, detail::clf_text(name_, detail::half_domain_node({curve, curve, curve}))});
-      steps.push_back(ocio_table(file));
     }  // linear: light is the code
   }
 
@@ -142,22 +150,21 @@ class DisplayWriter {
 
   // Where picture light lies among the levels of a channel: 0 at the first, 1 at the last, and half
   // way where another one becomes the nearest.
-  double position(double light, int bits) const {
+  double position(double light, std::size_t channel) const {
     if (!display_.levels) {
-      const double most = std::ldexp(1.0, bits) - 1;
-      return code_of_light(display_.response, black_ + light * (1 - black_), most) / most;
+      const double most = std::ldexp(1.0, bits(channel)) - 1;
+      const int c = static_cast<int>(channel);
+      const double shown = black_[c] + light * (1 - black_[c]);
+      return code_of_light(response_of(display_, c), shown, most) / most;
     }
-    const LevelTable& table = *display_.levels;
-    const LevelSpacing& spacing = table.spacing != nullptr ? *table.spacing : level_spacings()[0];
-    const auto at = [&](double i) { return spacing.position(i, table.gamma); };
-    const double low = at(table.i0);
-    return (at(table.i0 + light * (1 - table.i0)) - low) / (at(1) - low);
+    const double black = lowest_intensity(*display_.levels);
+    return level_position(black + light * (1 - black), *display_.levels) / display_.levels->n;
   }
 
-  std::vector<float> positions(int bits) const {
+  std::vector<float> positions(std::size_t channel) const {
     std::vector<float> curve;
     for (const float light : detail::positive_halfs()) {
-      curve.push_back(static_cast<float>(position(std::min(light, 1.0F), bits)));
+      curve.push_back(static_cast<float>(position(std::min(light, 1.0F), channel)));
     }
     return curve;
   }
@@ -185,7 +192,7 @@ class DisplayWriter {
     std::array<std::vector<float>, 3> places;
     std::array<std::vector<float>, 3> steps;
     for (std::size_t c = 0; c < 3; ++c) {
-      places[c] = positions(bits(c));
+      places[c] = positions(c);
       for (float& place : places[c]) place /= 2;
       steps[c] = steps_of(levels[c], intervals * each + 1);
     }
@@ -203,7 +210,8 @@ class DisplayWriter {
   std::array<std::vector<double>, 3> of_levels(const Value& value) const {
     std::array<std::vector<double>, 3> levels;
     for (std::size_t c = 0; c < 3; ++c) {
-      const LevelScale scale = level_scale(display_, bits(c), BlackPoint::kRelative);
+      const LevelScale scale =
+          level_scale(display_, bits(c), BlackPoint::kRelative, static_cast<int>(c));
       for (const std::uint16_t code : scale.nearest) levels[c].push_back(value(code, c));
     }
     return levels;
@@ -212,7 +220,7 @@ class DisplayWriter {
   const std::string& name_;
   const Display& display_;
   OcioConfig& config_;
-  double black_ = 0;  // light of code 0
+  Eigen::Vector3d black_{0, 0, 0};  // light of code 0, by channel
 };
 
 std::string space_text(const std::string& name, const std::string& description,

@@ -79,6 +79,8 @@ TEST(OcioConfig, CodesAreThoseOfTheResponse) {
   add("k", GammaResponse{2.2, 0, 1e-5});
   add("studio", Bt1886Response{0.001});
   add("studio without black", Bt1886Response{});
+  add("fitted", GogResponse{2.2, 0.05, 0.001});
+  add("measured", TableResponse{{0, 64, 128, 255}, {1, 10, 35, 100}});
   const ConfigFolder folder(displays);
   for (const OcioDisplay& item : displays) {
     SCOPED_TRACE(item.name);
