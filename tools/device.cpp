@@ -1,13 +1,10 @@
-#include <algorithm>
-
 #include "tools/commands.h"
+#include "tools/device_actions.h"
 #include "tools/report.h"
 #include "tristim/core/error.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
 #include "tristim/device/display_file.h"
-#include "tristim/frame/pack.h"
-#include "tristim/pipeline/reduce.h"
 
 namespace tristim::tools {
 namespace {
@@ -18,123 +15,10 @@ constexpr std::string_view kExamples =
     "  tristim device list\n"
     "  tristim device show epaper-7color\n"
     "  tristim device show crt-p22 --toml > my-crt.toml\n"
-    "  tristim device check my-crt.toml\n";
-
-std::string kind_name(DisplayKind kind) {
-  for (const NamedDisplayKind& known : kDisplayKinds) {
-    if (known.kind == kind) return std::string(known.name);
-  }
-  return {};
-}
-
-Json xy_json(Chromaticity c) { return Json::array({c.x, c.y}); }
-
-Json matrix_json(const Eigen::Matrix3d& m) {
-  Json rows = Json::array();
-  for (int i = 0; i < 3; ++i) rows.push_back(Json::array({m(i, 0), m(i, 1), m(i, 2)}));
-  return rows;
-}
-
-std::string level_text(const Display& display) {
-  const Packing& packing = display.frame.packing;
-  if (!display.palette.empty()) return std::to_string(display.palette.size()) + " colours";
-  if (packing.indexed) return "palette chosen for the picture";
-  std::string text;
-  for (int c = 0; c < packing.samples; ++c) {
-    const LevelScale scale =
-        level_scale(display, packing.bits[static_cast<std::size_t>(c)], BlackPoint::kRelative);
-    text += (c > 0 ? " x " : "") + std::to_string(scale.light.size());
-  }
-  return text + " levels";
-}
-
-Json palette_json(const Display& display) {
-  Json list = Json::array();
-  const FrameInfo info = frame_info(display, 1, 1);
-  for (std::size_t i = 0; i < display.palette.size(); ++i) {
-    const CodeColor& entry = display.palette[i];
-    list.push_back(
-        {{"code", entry.code},
-         {"name", entry.name},
-         {"xyz", Json::array({entry.appearance.x, entry.appearance.y, entry.appearance.z})},
-         {"srgb", info.palette[i].srgb}});
-  }
-  return list;
-}
-
-Json display_json(const std::string& id, const Display& display) {
-  const Packing& packing = display.frame.packing;
-  Json json{{"device", id},
-            {"name", display.name},
-            {"source", display.source},
-            {"kind", kind_name(display.kind)},
-            {"packing", packing.name},
-            {"bits_per_pixel", packing.bits_per_pixel()},
-            {"bit_order", display.frame.bit_order == BitOrder::kMsb ? "msb" : "lsb"},
-            {"byte_order", display.frame.byte_order == ByteOrder::kBig ? "big" : "little"},
-            {"store", display.frame.store == Store::kValue ? "value" : "index"}};
-  if (display.panel) {
-    json["size"] = Json::array({display.panel->width, display.panel->height});
-    json["bytes_per_line"] = packed_row_bytes(packing, display.panel->width);
-  }
-  json["levels"] = level_text(display);
-  json["dither"] = default_dither(display).name;
-  json["response"] = describe(display.response);
-  json["primaries"] = {{"red", xy_json(display.primaries.red)},
-                       {"green", xy_json(display.primaries.green)},
-                       {"blue", xy_json(display.primaries.blue)},
-                       {"white", xy_json(display.primaries.white)}};
-  json["xyz_from_rgb"] = matrix_json(xyz_from_rgb(display.primaries));
-  json["rgb_from_xyz"] = matrix_json(rgb_from_xyz(display.primaries));
-  if (display.levels) {
-    json["I0"] = display.levels->i0;
-    json["n"] = display.levels->n;
-    json["dynamic_range"] = 1 / display.levels->i0;
-  }
-  if (display.dots) {
-    json["dpi"] = display.dots->dpi;
-    json["isolated_dots"] = display.dots->isolated;
-    if (display.dots->lpi > 0) json["lpi"] = display.dots->lpi;
-    const std::string gain = describe(display.dots->gain);
-    json["dot_gain"] = gain.empty() ? "none" : gain;
-  }
-  if (!display.palette.empty()) json["palette"] = palette_json(display);
-  return json;
-}
-
-// A value of the JSON on one line, for people.
-std::string line_text(const Json& value) {
-  if (value.is_string()) return one_line(value.get<std::string>());
-  if (value.is_number_float()) return rounded(value.get<double>(), 9);
-  if (!value.is_array() && !value.is_object()) return value.dump();
-  std::string text;
-  for (const auto& [key, item] : value.items()) {
-    if (!text.empty()) text += value.is_object() ? ", " : " ";
-    if (value.is_object()) text += key + " ";
-    text += line_text(item);
-  }
-  return text;
-}
-
-std::string show_text(const Json& json) {
-  std::string text;
-  constexpr std::size_t kColumn = 16;
-  for (const auto& [key, value] : json.items()) {
-    const bool lines = value.is_array() && !value.empty() && value[0].is_structured();
-    std::string label = key;
-    std::replace(label.begin(), label.end(), '_', ' ');
-    label.resize(std::max(kColumn, label.size() + 2), ' ');
-    if (!lines) {
-      text += label + line_text(value) + "\n";
-      continue;
-    }
-    for (const Json& item : value) {
-      text += label + line_text(item) + "\n";
-      label.assign(label.size(), ' ');
-    }
-  }
-  return text;
-}
+    "  tristim device check my-crt.toml --plot my-crt.svg\n"
+    "  tristim device new --name 'LED strip' --packing rgb888 --response linear -o strip.toml\n"
+    "  printf '0,0.4\\n64,6\\n128,22\\n192,55\\n255,102\\n' > panel.csv && tristim device fit "
+    "panel.csv -o panel.toml\n";
 
 void list(bool json) {
   std::string text;
@@ -155,7 +39,7 @@ void show(const std::string& id, bool json, bool toml) {
   const Display display = load_display(id);
   if (!toml) {
     const Json facts = display_json(id, display);
-    return print(json ? json_line(facts) : show_text(facts));
+    return print(json ? json_line(facts) : facts_text(facts));
   }
   const auto* built_in = find_by_name(built_in_displays(), id);
   if (built_in == nullptr) {
@@ -164,8 +48,15 @@ void show(const std::string& id, bool json, bool toml) {
   print(built_in->text);
 }
 
-void check(const std::string& path, bool json) {
+struct CheckOptions {
+  std::string plot;
+  bool force = false;
+};
+
+void check(const std::string& path, const CheckOptions& options, bool json) {
   const Display display = load_display(path);
+  if (!options.plot.empty()) write_device_plot(display, options.plot, options.force);
+  if (options.plot == "-") return;  // the drawing alone
   const Json facts{{"device", path}, {"name", display.name}, {"valid", true}};
   print(json ? json_line(facts)
              : one_line(path) + ": good: " + one_line(display.name) + ", " + level_text(display) +
@@ -175,10 +66,23 @@ void check(const std::string& path, bool json) {
 struct Action {
   std::string_view name;
 };
-constexpr Action kActions[] = {{"list"}, {"show"}, {"check"}};
+constexpr Action kActions[] = {{"list"}, {"show"}, {"check"}, {"new"}, {"fit"}};
+
+// The maker that an action is, or nullptr: those have options of their own.
+const Command* maker(std::string_view action) {
+  for (const Command& command : kDeviceMakers) {
+    if (same_name(command.name.substr(std::string_view("device ").size()), action)) return &command;
+  }
+  return nullptr;
+}
 
 // What does not go together is told, not ignored.
-void check_arguments(const std::vector<std::string>& words, bool json, bool toml) {
+void check_arguments(const std::vector<std::string>& words, const CheckOptions& options, bool json,
+                     bool toml) {
+  if (!options.plot.empty() && (!same_name(words[0], "check") || words.size() > 2)) {
+    throw Error(ErrorKind::kMisuse, "--plot", "draws one device",
+                "use: tristim device check D --plot OUT.svg");
+  }
   const bool listed = same_name(words[0], "list");
   if (toml && (json || !same_name(words[0], "show"))) {
     throw Error(ErrorKind::kMisuse, "--toml",
@@ -198,27 +102,35 @@ void check_arguments(const std::vector<std::string>& words, bool json, bool toml
 }  // namespace
 
 void run_device(Arguments arguments) {
+  if (!arguments.empty()) {
+    if (const Command* command = maker(arguments[0])) return command->run(arguments.subspan(1));
+  }
   std::vector<std::string> words;
+  CheckOptions options;
   bool json = false;
   bool toml = false;
   CommandLine line(*find_by_name(kCommands, "device"), kExamples);
-  line.positional("list|show|check",
-                  "what to do, followed by devices: names of `tristim device "
-                  "list`, or files: ./panel.toml",
+  line.positional("list|show|check|new|fit",
+                  "what to do, followed by devices: names of `tristim device list`, or files: "
+                  "./panel.toml; `tristim device new --help` and `tristim device fit --help` tell "
+                  "how files are made",
                   words, 1, 1 << 20);
   line.flag("--json", "print the facts as JSON, a line a device", json);
   line.flag("--toml", "show: the device file itself, to start one's own from", toml);
+  line.option("--plot", "OUT", "check: draw response and gamut, to OUT.svg or into a folder",
+              options.plot);
+  line.flag("--force", "replace an existing drawing", options.force);
   if (!line.parse(arguments)) return;
   const Action* action = find_by_name(kActions, words[0]);
   if (action == nullptr) {
     throw Error(ErrorKind::kMisuse, "device", "unknown action '" + words[0] + "'",
                 name_hint(kActions, words[0]));
   }
-  check_arguments(words, json, toml);
+  check_arguments(words, options, json, toml);
   if (action->name == "list") return list(json);
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (action->name == "show") show(words[i], json, toml);
-    if (action->name == "check") check(words[i], json);
+    if (action->name == "check") check(words[i], options, json);
   }
 }
 
