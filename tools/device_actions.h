@@ -18,6 +18,9 @@ inline constexpr Command kDeviceMakers[] = {
      "fit a response to measured luminances, and write the device file", run_device_fit},
 };
 
+/// The sets of primaries that pictures are made for, whose coverage is told.
+inline constexpr std::string_view kPictureSets[] = {"srgb", "display-p3", "bt2020"};
+
 /// Everything that there is to know about a display, derived figures too.
 nlohmann::ordered_json display_json(const std::string& id, const Display& display);
 

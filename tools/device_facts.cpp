@@ -6,6 +6,7 @@
 #include "tristim/color/gamut.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
+#include "tristim/device/channels.h"
 #include "tristim/device/level_report.h"
 #include "tristim/frame/pack.h"
 #include "tristim/pipeline/reduce.h"
@@ -14,9 +15,6 @@ namespace tristim::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kChannels[] = {"red", "green", "blue"};
-constexpr const char* kCoveredSets[] = {"srgb", "display-p3", "bt2020"};
 
 std::string kind_name(DisplayKind kind) {
   for (const NamedDisplayKind& known : kDisplayKinds) {
@@ -49,9 +47,9 @@ Json palette_json(const Display& display) {
 
 Json coverage_json(const Primaries& primaries) {
   Json coverage = Json::object();
-  for (const char* name : kCoveredSets) {
+  for (const std::string_view name : kPictureSets) {
     const Primaries& set = find_by_name(primaries_list(), name)->primaries;
-    coverage[name] = number_json(gamut_coverage(primaries, set, kCie1976Plane));
+    coverage[std::string(name)] = number_json(gamut_coverage(primaries, set, kCie1976Plane));
   }
   return coverage;
 }
@@ -133,7 +131,7 @@ void add_channels(const Display& display, Json& json) {
     }
     return;
   }
-  for (int c = 0; c < 3; ++c) json[kChannels[c]] = channel_json(display, c);
+  for (int c = 0; c < 3; ++c) json[std::string(kChannelNames[c])] = channel_json(display, c);
 }
 
 void add_dots(const Dots& dots, Json& json) {

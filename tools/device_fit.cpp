@@ -12,6 +12,7 @@
 #include "tristim/core/file.h"
 #include "tristim/core/find.h"
 #include "tristim/core/text.h"
+#include "tristim/device/channels.h"
 
 namespace tristim::tools {
 namespace {
@@ -160,8 +161,8 @@ FitReport fitted(const Options& o) {
   for (std::size_t c = 0; c < ramps.size(); ++c) {
     const double code_max = code_max_of(report.display, c, ramps[c]);
     const FitModel* model = o.model.empty() ? nullptr : find_by_name(kFitModels, o.model);
-    report.channels.push_back({ramps.size() == 3 ? kFitChannels[c] : "", ramps[c], code_max,
-                               fit_response(ramps[c], code_max, model)});
+    report.channels.push_back({ramps.size() == 3 ? std::string(kChannelNames[c]) : "", ramps[c],
+                               code_max, fit_response(ramps[c], code_max, model)});
   }
   double worst = 0;
   for (const ChannelFit& c : report.channels) worst = std::max(worst, c.fit.largest_ciede2000);

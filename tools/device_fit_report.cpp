@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/device_actions.h"
 #include "tools/report.h"
 #include "tristim/color/gamut.h"
 #include "tristim/core/find.h"
@@ -12,8 +13,6 @@ namespace tristim::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kCoveredSets[] = {"srgb", "display-p3", "bt2020"};
 
 Json residuals_json(const ResponseFit& fit) {
   Json rows = Json::array();
@@ -58,9 +57,9 @@ Json gamut_json(const Primaries& primaries) {
   Json planes = Json::object();
   for (const ChromaticityPlane& plane : kChromaticityPlanes) {
     Json coverage = Json::object();
-    for (const char* name : kCoveredSets) {
+    for (const std::string_view name : kPictureSets) {
       const Primaries& set = find_by_name(primaries_list(), name)->primaries;
-      coverage[name] = number_json(gamut_coverage(primaries, set, plane));
+      coverage[std::string(name)] = number_json(gamut_coverage(primaries, set, plane));
     }
     planes["cie" + std::string(plane.name)] = {{"area", gamut_area(primaries, plane)},
                                                {"coverage", coverage}};
@@ -124,9 +123,9 @@ std::string coverage_text(const Primaries& primaries) {
   std::string text;
   for (const ChromaticityPlane& plane : kChromaticityPlanes) {
     text += "coverage, CIE " + std::string(plane.name) + ":";
-    for (const char* name : kCoveredSets) {
+    for (const std::string_view name : kPictureSets) {
       const Primaries& set = find_by_name(primaries_list(), name)->primaries;
-      text += std::string(name == kCoveredSets[0] ? " " : ", ") + name + " " +
+      text += (name == kPictureSets[0] ? " " : ", ") + std::string(name) + " " +
               rounded(100 * gamut_coverage(primaries, set, plane), 4) + " %";
     }
     text += ", area " + rounded(gamut_area(primaries, plane), 4) + "\n";

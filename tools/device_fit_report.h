@@ -11,8 +11,6 @@
 
 namespace tristim::tools {
 
-inline constexpr const char* kFitChannels[] = {"red", "green", "blue"};
-
 /// One channel, measured and fitted.
 struct ChannelFit {
   std::string name;  // empty: the only one

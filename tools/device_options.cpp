@@ -1,7 +1,5 @@
 #include "tools/device_options.h"
 
-#include <stdexcept>
-
 #include "tools/outputs.h"
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
@@ -44,6 +42,16 @@ PanelSize size_option(const std::string& text) {
   }
   throw Error(ErrorKind::kMisuse, "--size", "'" + text + "' is no size of a panel",
               "give WIDTHxHEIGHT in pixels, 1 to 65535: 320x240");
+}
+
+// Refuses what the reader of device files would: options that contradict each other.
+void check_file(const std::string& text) {
+  try {
+    (void)parse_display(text, "file");
+  } catch (const Error& error) {
+    const std::string_view what = error.what();  // "file:<line>:<column>: ..."
+    throw Error(ErrorKind::kMisuse, "options", what.substr(what.find(": ") + 2));
+  }
 }
 
 }  // namespace
@@ -103,18 +111,13 @@ void apply_device_options(const DeviceOptions& o, Display& display) {
   p = o.set.value_or(p);
   p = {o.red.value_or(p.red), o.green.value_or(p.green), o.blue.value_or(p.blue),
        o.white.value_or(p.white)};
-  try {
-    (void)xyz_from_rgb(p);
-  } catch (const std::invalid_argument& bad) {
-    throw Error(ErrorKind::kMisuse, "primaries", bad.what(),
-                "check --red, --green, --blue, --white");
-  }
+  (void)xyz_from_rgb(p);  // throws where they lie on a line
 }
 
 void write_device_file(const Display& display, const std::string& remarks,
                        const std::string& output, bool force) {
   const std::string text = display_text(display, remarks);
-  (void)parse_display(text, output);  // throws where the options contradict each other
+  check_file(text);
   OutputFile file(output, force);
   file.write(text);
   file.commit();

@@ -24,14 +24,16 @@ struct DeviceOptions {
 /// Declares them, in sections of the help page.
 void declare_device_options(CommandLine& line, DeviceOptions& options);
 
-/// Puts what was given into a display. Throws Error (kMisuse) where the primaries are none.
+/// Puts what was given into a display. Throws std::invalid_argument where the
+/// primaries are none.
 void apply_device_options(const DeviceOptions& options, Display& display);
 
 /// The packing, and the published set of primaries, of a name. Throw Error (kMisuse).
 Packing packing_option(const std::string& name);
 Primaries primaries_option(const std::string& name);
 
-/// Writes a device file, after reading it back once. `output` is not empty.
+/// Writes a device file, after reading it back once. `output` is not empty. Throws Error: kMisuse
+/// where the display is none that a file may hold.
 void write_device_file(const Display& display, const std::string& remarks,
                        const std::string& output, bool force);
 

@@ -6,6 +6,7 @@
 #include "tristim/color/wavelength.h"
 #include "tristim/core/file.h"
 #include "tristim/core/find.h"
+#include "tristim/device/channels.h"
 #include "tristim/plot/axes.h"
 #include "tristim/plot/chromaticity.h"
 
@@ -19,15 +20,10 @@ constexpr double kBottom = 60;
 constexpr double kGap = 24;
 constexpr std::string_view kOneColor = "#222";
 constexpr std::string_view kThreeColors[] = {"#d55e00", "#009e73", "#0072b2"};
-constexpr std::string_view kChannelNames[] = {"red", "green", "blue"};
 
-struct OtherGamut {
-  std::string_view name;
-  SvgStroke stroke;
-};
-constexpr OtherGamut kOtherGamuts[] = {{"srgb", {"#0072b2", 1.2, "4 3"}},
-                                       {"display-p3", {"#009e73", 1.2, "4 3"}},
-                                       {"bt2020", {"#d55e00", 1.2, "4 3"}}};
+constexpr SvgStroke kSetStrokes[] = {
+    {"#0072b2", 1.2, "4 3"}, {"#009e73", 1.2, "4 3"}, {"#d55e00", 1.2, "4 3"}};
+static_assert(std::size(kSetStrokes) == std::size(kPictureSets));
 
 using Points = std::vector<PlotPoint>;
 
@@ -110,9 +106,10 @@ void draw_gamut(SvgDrawing& svg, const Display& display, SvgPoint corner) {
   axes.grid();
   axes.curve(locus(), {"#999", 1});
   std::vector<PlotKey> keys{{.text = "device", .stroke = {"#222", 2}}};
-  for (const OtherGamut& other : kOtherGamuts) {
-    axes.curve(triangle(find_by_name(primaries_list(), other.name)->primaries), other.stroke);
-    keys.push_back({.text = other.name, .stroke = other.stroke});
+  for (std::size_t i = 0; i < std::size(kPictureSets); ++i) {
+    axes.curve(triangle(find_by_name(primaries_list(), kPictureSets[i])->primaries),
+               kSetStrokes[i]);
+    keys.push_back({.text = kPictureSets[i], .stroke = kSetStrokes[i]});
   }
   axes.curve(triangle(display.primaries), {"#222", 2});
   svg.circle(axes.at({display.primaries.white.x, display.primaries.white.y}), 4,
@@ -154,9 +151,8 @@ std::string gamut_plot(const Display& display) {
   ChromaticityDiagram diagram;
   diagram.white = {"white", display.primaries.white};
   diagram.gamuts.push_back({display.name, display.primaries});
-  for (const OtherGamut& other : kOtherGamuts) {
-    diagram.gamuts.push_back(
-        {std::string(other.name), find_by_name(primaries_list(), other.name)->primaries});
+  for (const std::string_view name : kPictureSets) {
+    diagram.gamuts.push_back({std::string(name), find_by_name(primaries_list(), name)->primaries});
   }
   diagram.temperatures = false;
   return chromaticity_diagram(diagram);

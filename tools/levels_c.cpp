@@ -60,7 +60,7 @@ std::string comment(const LevelsJob& job) {
   text += ": I0 " + shortest(lowest_intensity(table)) + ", " + std::string(spacing_of(table).name) +
           " spacing";
   if (job.dead_reckoned) text += ", dead-reckoned";
-  for (const Response& response : job.responses) text += ".\n   " + describe(response);
+  for (const DriveChannel& drive : job.drives) text += ".\n   " + describe(drive.response);
   text += job.store == Store::kIndex
               ? ".\n   The frame buffer holds the level j, entry j of the colour table its code."
               : ".\n   The frame buffer holds the code.";
@@ -83,8 +83,8 @@ std::string levels_c(const LevelsJob& job, const std::vector<ChannelLevels>& cha
     text += "#define " + frames + " " + std::to_string(1 << job.temporal_bits) + "\n";
     size += "[" + frames + "]";
   }
-  text += "static const " + std::string(job.vmax < 256 ? "uint8_t " : "uint16_t ") + name + size +
-          "[" + count + "]" + (options.progmem ? " PROGMEM" : "") + " = {";
+  text += "static const " + std::string(most_code(job) < 256 ? "uint8_t " : "uint16_t ") + name +
+          size + "[" + count + "]" + (options.progmem ? " PROGMEM" : "") + " = {";
   for (const ChannelLevels& channel : channels) {
     text += three ? "\n    {" + nested(channel, "        ") + "\n    }," : nested(channel, "    ");
   }

@@ -4,13 +4,12 @@
 
 #include "tools/report.h"
 #include "tristim/core/text.h"
+#include "tristim/device/channels.h"
 
 namespace tristim::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kChannels[] = {"red", "green", "blue"};
 
 // A fact of the one channel, or of all three.
 template <typename Fact>
@@ -22,15 +21,22 @@ Json per_channel(const std::vector<ChannelLevels>& channels, Fact&& fact) {
 }
 
 template <typename Fact>
-Json per_response(const LevelsJob& job, Fact&& fact) {
-  if (job.responses.size() == 1) return fact(job.responses[0]);
+Json per_drive(const LevelsJob& job, Fact&& fact) {
+  if (job.drives.size() == 1) return fact(job.drives[0]);
   Json all = Json::array();
-  for (const Response& response : job.responses) all.push_back(fact(response));
+  for (const DriveChannel& drive : job.drives) all.push_back(fact(drive));
   return all;
 }
 
-Json gamma_json(const Response& response) {
-  const auto* gamma = std::get_if<GammaResponse>(&response);
+// One number where all channels have the same.
+Json vmax_json(const LevelsJob& job) {
+  const Json all = per_drive(job, [](const DriveChannel& d) { return Json(d.vmax); });
+  const bool one = all.is_array() && all[0] == all[1] && all[0] == all[2];
+  return one ? all[0] : all;
+}
+
+Json gamma_json(const DriveChannel& drive) {
+  const auto* gamma = std::get_if<GammaResponse>(&drive.response);
   return gamma != nullptr ? Json(gamma->gamma) : Json(nullptr);
 }
 
@@ -108,8 +114,8 @@ std::string summary(const LevelsJob& job, const ChannelLevels& channel) {
          std::to_string(job.table.n + 1) + ", largest step " +
          rounded(report.largest_lstar_step, 4) + " L* to level " +
          std::to_string(report.largest_step_at) + ", as shown " +
-         rounded(report.largest_shown_lstar_step, 4) + " L*\n" + dead_zone_text(report, job.vmax) +
-         shared_text(job, report);
+         rounded(report.largest_shown_lstar_step, 4) + " L*\n" +
+         dead_zone_text(report, channel.vmax) + shared_text(job, report);
 }
 
 std::string frames_text(const FrameCodes& frames) {
@@ -145,32 +151,39 @@ std::string rows_text(const LevelsJob& job, const std::vector<ChannelLevels>& ch
 
 std::vector<ChannelLevels> channel_levels(const LevelsJob& job) {
   std::vector<ChannelLevels> channels;
-  for (const Response& response : job.responses) {
-    ChannelLevels channel;
-    channel.codes = level_codes(job.table, response, job.vmax);
-    if (job.dead_reckoned) channel.codes = dead_reckoned(channel.codes, job.vmax);
-    channel.report = level_report(job.table, response, channel.codes, job.vmax);
+  for (const auto& [response, vmax] : job.drives) {
+    ChannelLevels channel{.vmax = vmax};
+    channel.codes = level_codes(job.table, response, vmax);
+    if (job.dead_reckoned) channel.codes = dead_reckoned(channel.codes, vmax);
+    channel.report = level_report(job.table, response, channel.codes, vmax);
     if (job.temporal_bits > 0) {
-      channel.frames = temporal_codes(job.table, response, job.vmax, job.temporal_bits);
+      channel.frames = temporal_codes(job.table, response, vmax, job.temporal_bits);
     }
     channels.push_back(std::move(channel));
   }
   return channels;
 }
 
+int most_code(const LevelsJob& job) {
+  int most = 0;
+  for (const DriveChannel& drive : job.drives) most = std::max(most, drive.vmax);
+  return most;
+}
+
 Json levels_json(const LevelsJob& job, const std::vector<ChannelLevels>& channels) {
   const LevelReport& first = channels[0].report;
   Json json{{"I0", lowest_intensity(job.table)},
             {"n", job.table.n},
-            {"gamma", per_response(job, gamma_json)},
-            {"Vmax", job.vmax},
+            {"gamma", per_drive(job, gamma_json)},
+            {"Vmax", vmax_json(job)},
             {"spacing", spacing_of(job.table).name},
             {"formula", spacing_of(job.table).formula},
-            {"response", per_response(job, [](const Response& r) { return Json(describe(r)); })},
+            {"response",
+             per_drive(job, [](const DriveChannel& d) { return Json(describe(d.response)); })},
             {"dynamic_range", number_json(first.dynamic_range)},
             {"ratio", number_json(first.ratio)},
             {"largest_lstar_step", first.largest_lstar_step}};
-  if (channels.size() == 3) json["channels"] = kChannels;
+  if (channels.size() == 3) json["channels"] = kChannelNames;
   const auto add = [&](const char* key, auto&& fact) { json[key] = per_channel(channels, fact); };
   add("distinct", [](const ChannelLevels& c) { return Json(c.report.distinct); });
   add("largest_shown_lstar_step",
@@ -183,10 +196,10 @@ Json levels_json(const LevelsJob& job, const std::vector<ChannelLevels>& channel
   add("V", [](const ChannelLevels& c) { return Json(c.codes); });
   json["store"] = job.store == Store::kIndex ? "index" : "value";
   add("frame_buffer", [&](const ChannelLevels& c) {
-    return Json(look_up_tables(c.codes, job.store, job.vmax).frame_buffer);
+    return Json(look_up_tables(c.codes, job.store, c.vmax).frame_buffer);
   });
   add("color_table", [&](const ChannelLevels& c) {
-    return Json(look_up_tables(c.codes, job.store, job.vmax).color_table);
+    return Json(look_up_tables(c.codes, job.store, c.vmax).color_table);
   });
   if (job.temporal_bits > 0) add("frames", frames_json);
   return json;
@@ -202,7 +215,7 @@ std::string levels_text(const LevelsJob& job, const std::vector<ChannelLevels>& 
         "BT.1886 a = " + rounded(job.bt1886->a, 9) + ", b = " + rounded(job.bt1886->b, 9) + "\n";
   }
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    if (channels.size() == 3) text += std::string(kChannels[c]) + ": ";
+    if (channels.size() == 3) text += std::string(kChannelNames[c]) + ": ";
     text += summary(job, channels[c]);
   }
   return text + rows_text(job, channels);

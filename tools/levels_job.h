@@ -12,11 +12,16 @@
 
 namespace tristim::tools {
 
+/// A channel of the device.
+struct DriveChannel {
+  Response response;
+  int vmax = 255;  // its highest code
+};
+
 /// What `tristim levels` computes.
 struct LevelsJob {
   LevelTable table;
-  std::vector<Response> responses;  // of the one channel, or of red, green and blue
-  int vmax = 255;
+  std::vector<DriveChannel> drives;  // the one channel, or red, green and blue
   Store store = Store::kValue;
   bool dead_reckoned = false;
   int temporal_bits = 0;  // 0: no frames
@@ -25,10 +30,14 @@ struct LevelsJob {
 
 /// The table of one channel.
 struct ChannelLevels {
+  int vmax = 255;
   std::vector<int> codes;
   LevelReport report;
   std::vector<FrameCodes> frames;  // of each level; empty without temporal bits
 };
+
+/// The highest code of all channels.
+int most_code(const LevelsJob& job);
 
 /// All of it. Throws std::invalid_argument as the library does.
 std::vector<ChannelLevels> channel_levels(const LevelsJob& job);

@@ -125,15 +125,6 @@ void declare_tables(CommandLine& line, LevelsOptions& options) {
       [&](const std::string& v) { options.temporal_bits = integer_option("--temporal", v, 1, 8); });
 }
 
-// Measured responses, of one channel or of three.
-std::vector<Response> measured_responses(const LevelsOptions& options) {
-  std::vector<Response> responses;
-  for (const TableResponse& table : read_measured(options.measured, options.monotone)) {
-    responses.emplace_back(table);
-  }
-  return responses;
-}
-
 std::vector<Response> named_responses(const LevelsOptions& options, double black) {
   const std::vector<double> gammas =
       options.gamma.empty() ? std::vector<double>{GammaResponse{}.gamma} : options.gamma;
@@ -147,12 +138,15 @@ std::vector<Response> named_responses(const LevelsOptions& options, double black
   return responses;
 }
 
-// The least 2^b - 1 that holds every code of a measurement.
-int measured_vmax(const std::vector<Response>& responses) {
+double most_code(const std::vector<TableResponse>& tables) {
   double most = 1;
-  for (const Response& response : responses) {
-    most = std::max(most, std::get<TableResponse>(response).code.back());
-  }
+  for (const TableResponse& table : tables) most = std::max(most, table.code.back());
+  return most;
+}
+
+// The least 2^b - 1 that holds every code of a measurement.
+int measured_vmax(const std::vector<TableResponse>& tables) {
+  const double most = most_code(tables);
   if (most > 65535) misuse("--measured", "has codes above 65535", "give codes of 16 bits at most");
   int vmax = 1;
   while (vmax < most) vmax = 2 * vmax + 1;
@@ -160,16 +154,15 @@ int measured_vmax(const std::vector<Response>& responses) {
 }
 
 void take_measured(const LevelsOptions& options, LevelsJob& job) {
-  job.responses = measured_responses(options);
-  const int needed = measured_vmax(job.responses);
-  job.vmax = options.vmax.value_or(needed);
-  const auto& first = std::get<TableResponse>(job.responses[0]);
-  for (const Response& response : job.responses) {
-    if (std::get<TableResponse>(response).code.back() > job.vmax) {
-      misuse("--vmax", std::to_string(job.vmax) + " is below the highest measured code",
-             "give " + std::to_string(needed));
-    }
+  const std::vector<TableResponse> tables = read_measured(options.measured, options.monotone);
+  const int needed = measured_vmax(tables);
+  const int vmax = options.vmax.value_or(needed);
+  if (vmax < needed && vmax < most_code(tables)) {
+    misuse("--vmax", std::to_string(vmax) + " is below the highest measured code",
+           "give " + std::to_string(needed));
   }
+  for (const TableResponse& table : tables) job.drives.push_back({table, vmax});
+  const TableResponse& first = tables[0];
   const double black = first.luminance.front() / first.luminance.back();
   if (black > 0) job.table.i0 = black;
   job.table.measured = first;
@@ -181,11 +174,13 @@ void take_device(const LevelsOptions& options, LevelsJob& job) {
   if (packing.indexed || !display.palette.empty()) {
     misuse("--device", "has a palette, not levels", "name a device whose codes are levels");
   }
-  const int channels = has_one_response(display) ? 1 : packing.samples;
-  for (int c = 0; c < channels; ++c) job.responses.push_back(response_of(display, c));
-  job.vmax = options.vmax.value_or((1 << packing.bits[0]) - 1);
+  const bool alike = has_one_response(display) && packing.bits[0] == packing.bits[1];
+  for (int c = 0; c < (alike ? 1 : packing.samples); ++c) {
+    const int highest = (1 << packing.bits[static_cast<std::size_t>(c)]) - 1;
+    job.drives.push_back({response_of(display, c), options.vmax.value_or(highest)});
+  }
   if (display.levels) job.table = *display.levels;
-  job.table.n = display.levels ? display.levels->n : job.vmax;
+  job.table.n = display.levels ? display.levels->n : most_code(job);
   job.store = display.frame.store;
 }
 
@@ -245,8 +240,9 @@ LevelsJob levels_job(const LevelsOptions& options) {
   } else {
     take_black(options, job);
     const double black = options.black ? *options.black / *options.white : 0;
-    job.responses = named_responses(options, black);
-    job.vmax = options.vmax.value_or(job.vmax);
+    for (const Response& response : named_responses(options, black)) {
+      job.drives.push_back({response, options.vmax.value_or(DriveChannel{}.vmax)});
+    }
   }
   job.table.n = options.n.value_or(job.table.n);
   job.table.i0 = options.i0.value_or(job.table.i0);

@@ -20,7 +20,7 @@ constexpr std::string_view kThreeColors[] = {"#d55e00", "#009e73", "#0072b2"};
 using Points = std::vector<PlotPoint>;
 
 std::string_view color_of(const LevelsJob& job, std::size_t channel) {
-  return job.responses.size() == 1 ? kOneColor[0] : kThreeColors[channel];
+  return job.drives.size() == 1 ? kOneColor[0] : kThreeColors[channel];
 }
 
 // How the eye sees light, over whose scale dark levels do not crowd: L*.
@@ -32,21 +32,22 @@ void draw_points(SvgDrawing& svg, const PlotAxes& axes, const Points& points,
   for (const PlotPoint p : points) svg.circle(axes.at(p), 2.6, {.fill = color});
 }
 
-// The response as a line and the levels on it, over the codes; light or L*.
+// The response as a line and the levels on it, over the codes.
 void draw_codes(SvgDrawing& svg, const PlotAxes& axes, const LevelsJob& job,
-                const std::vector<ChannelLevels>& channels, double (*scale)(double)) {
+                const std::vector<ChannelLevels>& channels) {
   constexpr int kSteps = 256;
   axes.grid();
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    Points response;
+    const auto& [response, vmax] = job.drives[c];
+    Points line;
     for (int i = 0; i <= kSteps; ++i) {
-      const double v = double(job.vmax) * i / kSteps;
-      response.push_back({v, scale(light_of_code(job.responses[c], v, job.vmax))});
+      const double v = double(vmax) * i / kSteps;
+      line.push_back({v, light_of_code(response, v, vmax)});
     }
-    axes.curve(response, {color_of(job, c), 1, "", 0.55});
+    axes.curve(line, {color_of(job, c), 1, "", 0.55});
     Points levels;
     for (const int v : channels[c].codes) {
-      levels.push_back({double(v), scale(light_of_code(job.responses[c], v, job.vmax))});
+      levels.push_back({double(v), light_of_code(response, v, vmax)});
     }
     draw_points(svg, axes, levels, color_of(job, c));
   }
@@ -62,10 +63,10 @@ void draw_levels(SvgDrawing& svg, const PlotAxes& axes, const LevelsJob& job,
   for (std::size_t j = 0; j < levels.size(); ++j) wanted.push_back({double(j), shown(levels[j])});
   axes.curve(wanted, {"#888", 1, "4 3"});
   for (std::size_t c = 0; c < channels.size(); ++c) {
+    const auto& [response, vmax] = job.drives[c];
     Points points;
     for (std::size_t j = 0; j < levels.size(); ++j) {
-      points.push_back(
-          {double(j), shown(light_of_code(job.responses[c], channels[c].codes[j], job.vmax))});
+      points.push_back({double(j), shown(light_of_code(response, channels[c].codes[j], vmax))});
     }
     draw_points(svg, axes, points, color_of(job, c));
   }
@@ -84,12 +85,12 @@ std::string levels_plot(const LevelsJob& job, const std::vector<ChannelLevels>& 
   svg.text({kLeft, 44},
            "I0 " + rounded(lowest_intensity(job.table), 6) + ", dynamic range " +
                rounded(channels[0].report.dynamic_range, 6) + ", " +
-               kind_of(job.responses[0]).data() + " response",
+               std::string(kind_of(job.drives[0].response)) + " response",
            {.size = 12, .color = "#555"});
-  const double vmax = job.vmax;
+  const double vmax = most_code(job);
   const PlotAxes codes(svg, {kLeft, kTop}, kSide, kSide, {.from = 0, .to = vmax, .title = "code V"},
                        {.from = 0, .to = 1, .title = "intensity I", .step = 0.2});
-  draw_codes(svg, codes, job, channels, [](double light) { return light; });
+  draw_codes(svg, codes, job, channels);
   const std::string_view color = color_of(job, 0);
   const PlotKey code_keys[] = {{.text = "levels", .fill = color},
                                {.text = "response", .stroke = {color, 1, "", 0.55}}};

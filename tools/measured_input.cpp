@@ -5,12 +5,11 @@
 #include "tools/cli.h"
 #include "tristim/core/error.h"
 #include "tristim/core/text.h"
+#include "tristim/device/channels.h"
 #include "tristim/device/measured.h"
 
 namespace tristim::tools {
 namespace {
-
-constexpr const char* kChannels[] = {"red", "green", "blue"};
 
 // Levels out what falls, and tells the largest change in percent of the white.
 void level_out(MeasuredTable& table, std::size_t channel) {
@@ -27,7 +26,7 @@ void level_out(MeasuredTable& table, std::size_t channel) {
     }
   }
   const std::string which =
-      table.luminance.size() == 3 ? std::string(kChannels[channel]) + ": " : "";
+      table.luminance.size() == 3 ? std::string(kChannelNames[channel]) + ": " : "";
   note(one_line(table.file) + ": " + which + "luminances that fall were levelled out, by " +
        rounded(largest, 3) + " at the most, at code " + shortest(table.code[at]));
   luminance = level;
@@ -45,8 +44,8 @@ std::vector<TableResponse> read_measured(const std::vector<std::string>& files, 
     }
   }
   if (responses.size() != 1 && responses.size() != 3) {
-    throw Error(ErrorKind::kMisuse, "--measured",
-                "names " + std::to_string(responses.size()) + " channels",
+    throw Error(ErrorKind::kMisuse, files[0],
+                "makes " + std::to_string(responses.size()) + " channels with the other files",
                 "give one, or three for red, green and blue");
   }
   return responses;

@@ -7,6 +7,7 @@
 
 #include "lib/core/math.h"
 #include "lib/device/spacing.h"
+#include "tristim/device/channels.h"
 
 namespace tristim {
 namespace {
@@ -105,9 +106,11 @@ bool has_one_response(const Display& display) noexcept {
 
 std::string describe_responses(const Display& display) {
   if (has_one_response(display)) return describe(display.response);
-  constexpr const char* kNames[] = {"red: ", "; green: ", "; blue: "};
   std::string text;
-  for (int c = 0; c < 3; ++c) text += kNames[c] + describe(response_of(display, c));
+  for (int c = 0; c < 3; ++c) {
+    text += (c > 0 ? "; " : "") + std::string(kChannelNames[c]) + ": ";
+    text += describe(response_of(display, c));
+  }
   return text;
 }
 

@@ -4,11 +4,10 @@
 #include <stdexcept>
 
 #include "tristim/core/text.h"
+#include "tristim/device/channels.h"
 
 namespace tristim {
 namespace {
-
-constexpr const char* kChannels[] = {"red", "green", "blue"};
 
 std::string quoted(const std::string& text) {
   constexpr const char* kHex = "0123456789abcdef";
@@ -142,7 +141,7 @@ std::string responses_text(const Display& display) {
   std::string text = response_text("[response]", display.response);
   for (std::size_t c = 0; c < 3; ++c) {
     const auto& own = display.channel_response[c];
-    if (own) text += response_text("[response." + std::string(kChannels[c]) + "]", *own);
+    if (own) text += response_text("[response." + std::string(kChannelNames[c]) + "]", *own);
   }
   return text;
 }

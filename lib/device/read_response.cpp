@@ -2,12 +2,11 @@
 
 #include "lib/device/read_display.h"
 #include "tristim/core/text.h"
+#include "tristim/device/channels.h"
 #include "tristim/device/measured.h"
 
 namespace tristim::detail {
 namespace {
-
-constexpr std::string_view kChannels[] = {"red", "green", "blue"};
 
 struct ResponseKind {
   std::string_view name;
@@ -124,10 +123,10 @@ void read_response(const TomlTable& root, Display& display, const std::string& d
   };
   take(*table, read_kind(*table, {code_max(0), directory}), display);
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto channel = table->table(kChannels[c]);
+    const auto channel = table->table(kChannelNames[c]);
     if (!channel) continue;
     if (display.frame.packing.samples != 3) {
-      table->fail(kChannels[c], "the codes have one channel", "give one [response]");
+      table->fail(kChannelNames[c], "the codes have one channel", "give one [response]");
     }
     const std::vector<Response> read = read_kind(*channel, {code_max(c), directory});
     if (read.size() != 1) {

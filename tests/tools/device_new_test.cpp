@@ -52,6 +52,11 @@ TEST_F(DeviceNew, RefusesWhatMakesNoDevice) {
           "--gamma: '0' is out of range; give a number from 0.01 to 100");
   refuses("device new --name x --red 0.3", 2,
           "--red: '0.3' is no chromaticity; give x,y such as 0.64,0.33");
+  refuses(
+      "device new --name x --levels 300", 2,
+      "options: n = 300 is out of range; give a number from 1 to 255, the packing's highest code");
+  refuses("device new --name x --red 0.3,0.6", 2,
+          "primaries: the three chromaticities lie on a line");
   refuses("device new --name x --response table", 2,
           "--response: table has no figures; add --measured FILE.csv");
   refuses("device new --name x --size 0x3", 2,

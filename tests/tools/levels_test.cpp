@@ -183,6 +183,9 @@ TEST_F(LevelsCommand, TakesDevices) {
   EXPECT_EQ(table["I0"], 0.02);
   EXPECT_EQ(table["gamma"], 2.3);
   EXPECT_EQ(table["V"][128], 109);
+  const auto panel = parsed(good("levels --device lcd-rgb565 --n 7 --json"));
+  EXPECT_EQ(panel["Vmax"], (nlohmann::json{31, 63, 31}));
+  EXPECT_EQ(panel["V"][1][7], 63);
   refuses("levels --device vga16", 2,
           "--device: has a palette, not levels; name a device whose codes are levels");
 }
