@@ -16,6 +16,7 @@ constexpr std::string_view kBitsText = "_bits = ";
 constexpr std::string_view kLow = "_low[3] = {";
 constexpr std::string_view kHigh = "_high[3] = {";
 constexpr int kFloatBits = 32;
+constexpr int kMostIntegerBits = 16;
 
 // Names are letters, digits and single '_', and do not begin with a digit.
 std::string identifier(std::string_view title) {
@@ -168,7 +169,11 @@ class Reader {
     const bool cube = constant(kCube, 0, 1) == 1;
     const int size = constant(kSize, 2, cube ? kMostCubeSize : kMostCurveSize);
     const auto channels = static_cast<std::size_t>(constant(kChannels, 1, 3));
-    bits_ = constant(kBitsText, 1, kFloatBits);
+    bits_ = constant(kBitsText, 8, kFloatBits);
+    if (bits_ != kFloatBits && bits_ > kMostIntegerBits) {
+      fail("has " + std::to_string(bits_) + " bits", "integers have 8 to 16, floats 32");
+    }
+    if (channels == 2) fail("has two channels", "it is one or three");
     const std::size_t samples = cube ? cube_samples(size) : curve_samples(size);
     LutRange range;
     range.low = ends(kLow, range.low);
@@ -236,7 +241,7 @@ class Reader {
     at_ += kBegin.size();
     std::vector<float> values;
     values.reserve(count);
-    const float scale = bits_ == kFloatBits ? 1.0F : static_cast<float>((1 << bits_) - 1);
+    const float scale = bits_ == kFloatBits ? 1.0F : static_cast<float>(most_of_bits(bits_));
     while (values.size() < count) {
       at_ = text_.find_first_not_of("{}, \n\rf", at_);
       if (at_ >= text_.size() || text_[at_] == ';') {

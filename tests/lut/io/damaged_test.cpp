@@ -143,6 +143,16 @@ TEST(DamagedLuts, SayTheRow) {
   EXPECT_EQ(
       refusal("0 0 0\n1 2 65536\n", "x.ramp"),
       "3 x.ramp, row 2: '65536' is no code of a gamma ramp; it is an integer from 0 to 65535");
+  const auto header = [](const char* channels, const char* bits) {
+    return std::string("x_size = 2, x_is_cube = 0, x_channels = ") + channels +
+           ", x_bits = " + bits + ",\nx[2] = {\n0,\n1,\n};\n";
+  };
+  EXPECT_EQ(refusal(header("1", "31"), "x.h"),
+            "3 x.h, byte 44: has 31 bits; integers have 8 to 16, floats 32");
+  EXPECT_EQ(refusal(header("2", "8"), "x.h"),
+            "3 x.h, byte 44: has two channels; it is one or three");
+  EXPECT_EQ(refusal(header("3", "8"), "x.h"),
+            "3 x.h, byte 71: the array ends after 2 of 6 numbers");
   EXPECT_EQ(refusal("in,out\n0,0\n1\n", "x.csv"), "3 x.csv, row 3: has 1 cells; a row has 2 here");
   EXPECT_EQ(refusal("in,out\n0,0\n1,NaN\n", "x.csv"), "3 x.csv, row 3: 'NaN' is no finite number");
   EXPECT_EQ(refusal("a,b\n", "x.csv"),
