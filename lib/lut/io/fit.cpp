@@ -83,7 +83,7 @@ std::optional<Lut> shaper_and_cube(const Lut& lut, const LutCapacity& capacity,
   const int size = sizes.shaper > 0 ? sizes.shaper : shaper->size;
   Lut fitted{lut.title, {}};
   fitted.steps.emplace_back(sampled_curves(first, range_of(first, capacity.first), size));
-  fitted.steps.emplace_back(sampled_cube(rest, range_of(rest, capacity.second), sizes.table));
+  fitted.steps.emplace_back(sampled_cube(rest, range_of(rest, capacity.second), sizes.cube));
   return fitted;
 }
 
@@ -94,22 +94,24 @@ Lut fit_lut(const Lut& lut, const LutFormat& format, const LutFitSizes& sizes,
   const LutCapacity& capacity = format.holds;
   const bool by_channel = is_by_channel(lut);
   Lut fitted{lut.title, {}};
-  if (by_channel && capacity.curves > 0) {
-    fitted.steps.emplace_back(sampled_curves(lut, range_of(lut, capacity.alone), sizes.table));
-  } else if (auto two = shaper_and_cube(lut, capacity, sizes)) {
-    fitted = *two;
-  } else if (capacity.cube > 0) {
-    fitted.steps.emplace_back(sampled_cube(lut, range_of(lut, capacity.alone), sizes.table));
-  } else {
+  int size = sizes.cube;
+  if (by_channel && capacity.curves > 0 && sizes.curves > 0) {
+    size = sizes.curves;
+    fitted.steps.emplace_back(sampled_curves(lut, range_of(lut, capacity.alone), size));
+  } else if (capacity.cube > 0 && size > 0) {
+    auto two = shaper_and_cube(lut, capacity, sizes);
+    if (two) fitted = *std::move(two);
+    if (!two) fitted.steps.emplace_back(sampled_cube(lut, range_of(lut, capacity.alone), size));
+  } else if (!by_channel && capacity.cube == 0) {
     throw Error(ErrorKind::kMisuse, path,
                 "format " + std::string(format.name) +
                     " has curves alone, and channels of the table depend on others",
                 "use a format that has cubes");
   }
-  if (holds(format, fitted)) return fitted;
+  if (!fitted.steps.empty() && holds(format, fitted)) return fitted;
   throw Error(ErrorKind::kMisuse, path,
               "format " + std::string(format.name) + " does not hold a table of size " +
-                  std::to_string(sizes.table),
+                  std::to_string(size),
               "it holds " + describe(capacity));
 }
 

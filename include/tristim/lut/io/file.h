@@ -94,7 +94,8 @@ std::string lut_bytes(const Lut& lut, const LutFormat& format, const std::string
 
 /// Sizes to sample a table with.
 struct LutFitSizes {
-  int table = 0;   // entries of curves, points of a cube's edge
+  int curves = 0;  // entries of curves, where the result is curves; 0: it is a cube then
+  int cube = 0;    // points of a cube's edge; 0: makes no cube
   int shaper = 0;  // entries of curves in front of a cube; 0: as many as the table's own
 };
 
