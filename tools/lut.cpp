@@ -103,16 +103,11 @@ LutFile lut_file(const Lut& lut, const LutFormat& format, const LutOutput& outpu
 
 Lut sampled_lut(const Lut& lut, const LutFormat& format, LutSampling sampling,
                 const std::string& path) {
-  const bool by_channel = std::ranges::all_of(lut.steps, [](const LutStep& step) {
-    const auto* matrix = std::get_if<LutMatrix>(&step);
-    if (matrix != nullptr) return matrix->matrix.isDiagonal(0);
-    return !std::holds_alternative<Lut3D>(step);
-  });
-  const auto within = [](int size, int most) { return most > 0 ? std::min(size, most) : size; };
-  const int table = by_channel && format.holds.curves > 0
-                        ? within(sampling.curves, format.holds.curves)
-                        : within(sampling.cube, format.holds.cube);
-  return fit_lut(lut, format, {.table = table}, path);
+  const auto within = [](int size, int most) { return std::min(size, most); };
+  return fit_lut(lut, format,
+                 {.curves = within(sampling.curves, format.holds.curves),
+                  .cube = within(sampling.cube, format.holds.cube)},
+                 path);
 }
 
 void write_lut_file(const LutFile& file, const LutOutput& output) {
