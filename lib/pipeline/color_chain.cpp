@@ -23,14 +23,13 @@ std::vector<Stage> stages_of(const Primaries& picture, const Display& display,
 }  // namespace
 
 DisplayDrive::DisplayDrive(const Display& display, BlackPoint black_point)
-    : response_(display.response),
-      grey_(is_monochrome(display)),
-      luminance_(xyz_from_rgb(display.primaries).row(1)) {
+    : grey_(is_monochrome(display)), luminance_(xyz_from_rgb(display.primaries).row(1)) {
   refuse_palette(display);
   for (std::size_t c = 0; c < 3; ++c) {
+    response_[c] = response_of(display, static_cast<int>(c));
     code_max_[c] = (1 << display.frame.packing.bits[grey_ ? 0 : c]) - 1;
-    const double lowest =
-        display.levels ? display.levels->i0 : light_of_code(response_, 0, code_max_[c]);
+    const double lowest = display.levels ? lowest_intensity(*display.levels)
+                                         : light_of_code(response_[c], 0, code_max_[c]);
     black_[c] = black_point == BlackPoint::kRelative ? lowest : 0;
   }
 }
@@ -42,14 +41,14 @@ EncodedRgb DisplayDrive::drive(Rgb light) const noexcept {
   }
   const auto code = [&](std::size_t c, double picture) {
     const double emitted = black_[c] + picture * (1 - black_[c]);
-    return code_of_light(response_, emitted, code_max_[c]) / code_max_[c];
+    return code_of_light(response_[c], emitted, code_max_[c]) / code_max_[c];
   };
   return {code(0, light.r), code(1, light.g), code(2, light.b)};
 }
 
 Rgb DisplayDrive::light(EncodedRgb drive) const noexcept {
   const auto emitted = [&](std::size_t c, double d) {
-    return light_of_code(response_, d * code_max_[c], code_max_[c]);
+    return light_of_code(response_[c], d * code_max_[c], code_max_[c]);
   };
   return {emitted(0, drive.r), emitted(1, drive.g), emitted(2, drive.b)};
 }

@@ -28,7 +28,7 @@ class DisplayDrive {
   Rgb light(EncodedRgb drive) const noexcept;
 
  private:
-  Response response_;
+  std::array<Response, 3> response_;
   std::array<double, 3> code_max_;
   std::array<double, 3> black_;  // the light that picture black becomes; 0 where it is absolute
   bool grey_;
