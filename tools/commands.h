@@ -34,7 +34,7 @@ inline constexpr Command kCommands[] = {
     {"levels", "[options]", "intensity levels and gamma tables of a display", run_levels},
     {"halftone", "matrix|patterns|judge|levels|cells|screen|gallery ... [options]",
      "threshold matrices, patterns, cells and screens, made and judged", run_halftone},
-    {"lut", "bake|apply|invert|compose|info ... [options]",
+    {"lut", "bake|apply|invert|compose|info|convert|formats|ocio-config ... [options]",
      "look-up tables: baked, applied, inverted, composed, described", run_lut},
     {"device", "list|show|check|new|fit ... [options]",
      "list, show, check, make and fit device files", run_device},

@@ -97,7 +97,9 @@ const LutFormat& check_lut_output(const LutOutput& output, const std::vector<std
 LutFile lut_file(const Lut& lut, const LutFormat& format, const LutOutput& output) {
   LutFile file;
   file.bytes = lut_bytes(lut, format, output.path, output.file);
-  file.stored = parse_lut(file.bytes, output.path, format.name, output.file);
+  LutFileOptions options = output.file;
+  options.cube = !lut.steps.empty() && std::holds_alternative<Lut3D>(lut.steps.back());
+  file.stored = parse_lut(file.bytes, output.path, format.name, options);
   return file;
 }
 

@@ -15,6 +15,9 @@ void run_lut_apply(Arguments arguments);
 void run_lut_invert(Arguments arguments);
 void run_lut_compose(Arguments arguments);
 void run_lut_info(Arguments arguments);
+void run_lut_convert(Arguments arguments);
+void run_lut_formats(Arguments arguments);
+void run_lut_ocio_config(Arguments arguments);
 
 /// What `tristim lut` does. The command and its help read this list.
 inline constexpr Command kLutJobs[] = {
@@ -27,6 +30,10 @@ inline constexpr Command kLutJobs[] = {
      "what a table is: sizes, ranges, monotone, how far from the "
      "identity",
      run_lut_info},
+    {"lut convert", "IN OUT [options]", "a table in another format", run_lut_convert},
+    {"lut formats", "[--json]", "every format, and what it holds", run_lut_formats},
+    {"lut ocio-config", "[D...] -o OUT [options]", "devices as displays of an OpenColorIO config",
+     run_lut_ocio_config},
 };
 
 /// The job of kLutJobs called `name`, without "lut "; nullptr where there is none.
