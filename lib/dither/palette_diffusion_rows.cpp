@@ -48,7 +48,7 @@ class WantedRows {
 
 }  // namespace
 
-void PaletteDiffusion::rows(ImageView<const float> rgb, ImageView<std::uint16_t> indices, int) {
+void PaletteDiffusion::rows(ImageView<const float> rgb, ImageView<std::uint16_t> indices) {
   int y = 0;
   const auto definition = [&] {
     row(rgb.row(y), indices.row(y));

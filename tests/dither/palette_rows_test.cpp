@@ -62,13 +62,13 @@ Indices by_definition(const MixPalette& palette, const DiffusionOptions& options
 }
 
 Indices by_rows(const MixPalette& palette, const DiffusionOptions& options, const Image& in,
-                int band, int threads) {
+                int band) {
   const auto view = in.view();
   Raster<std::uint16_t> out(view.width, view.height, 1);
   PaletteDiffusion diffusion(palette, view.width, options);
   for (int y = 0; y < view.height; y += band) {
     const int count = std::min(band, view.height - y);
-    diffusion.rows(view.rows(y, count), out.view().rows(y, count), threads);
+    diffusion.rows(view.rows(y, count), out.view().rows(y, count));
   }
   return samples(out);
 }
@@ -98,8 +98,8 @@ TEST_P(EverySet, IsTheDefinitionBitForBit) {
       for (const DiffusionKernel* kernel : {&kFloydSteinberg, &kBlueDiffusion, &kStevensonArce}) {
         const DiffusionOptions options{.kernel = kernel, .jitter = kernel->jitter, .seed = 5};
         const Indices expected = by_definition(palette, options, in);
-        for (const int threads : {1, 3}) {
-          EXPECT_EQ(by_rows(palette, options, in, threads == 1 ? 64 : 21, threads), expected)
+        for (const int band : {64, 21}) {
+          EXPECT_EQ(by_rows(palette, options, in, band), expected)
               << kernel->name << ", " << count << " entries, " << width << " x " << height;
         }
       }
@@ -113,12 +113,12 @@ TEST_P(EverySet, TakesEveryKernelAndMetric) {
   const MixPalette usual(entries, *find_by_name(kMetrics, "oklab-toe"), Mix::kLight);
   for (const DiffusionKernel& kernel : kDiffusionKernels) {
     const DiffusionOptions options{.kernel = &kernel, .jitter = kernel.jitter};
-    EXPECT_EQ(by_rows(usual, options, in, 40, 1), by_definition(usual, options, in)) << kernel.name;
+    EXPECT_EQ(by_rows(usual, options, in, 40), by_definition(usual, options, in)) << kernel.name;
   }
   for (const Metric& metric : kMetrics) {
     for (const Mix mix : {Mix::kLight, Mix::kEncoded}) {
       const MixPalette palette(entries, metric, mix);
-      EXPECT_EQ(by_rows(palette, {}, in, 40, 1), by_definition(palette, {}, in)) << metric.name;
+      EXPECT_EQ(by_rows(palette, {}, in, 40), by_definition(palette, {}, in)) << metric.name;
     }
   }
 }
