@@ -32,7 +32,7 @@ TEST_F(DeviceFit, WritesAFileThatDescribesThePanel) {
   EXPECT_NE(read("my.toml").find("\nkind       = \"gog\""), std::string::npos) << read("my.toml");
   good("process s.exr --size 64x36 -d my.toml -o out.png --quiet");
   refuses("device fit panel.csv -o my.toml", 1,
-          "my.toml: exists already; choose another name, or replace it with --force");
+          "my.toml: exists already; give --force to replace it");
 }
 
 TEST_F(DeviceFit, TakesTheTableWhereTheModelIsBad) {
@@ -94,9 +94,9 @@ TEST_F(DeviceFit, RefusesBadMeasurements) {
   refuses("device fit ten.csv", 2,
           "--packing: gray8 ends at code 255, the measurement at 1023; give the packing that was "
           "measured");
-  write("xyz.csv", "rde,1,2,3\n");
+  write("xyz.csv", "gren,1,2,3\n");
   refuses("device fit ten.csv --primaries xyz.csv", 3,
-          "xyz.csv:1: unknown light 'rde'; did you mean red?");
+          "xyz.csv:1: unknown light 'gren'; did you mean green?");
   refuses("device fit ten.csv --model gogg", 2, "--model: unknown model 'gogg'; did you mean gog?");
 }
 
