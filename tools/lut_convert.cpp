@@ -43,7 +43,8 @@ void declare(CommandLine& line, Options& options) {
               "sample the table anew: N entries where each channel depends on itself alone and the "
               "format has curves, else N points an edge",
               [&](const std::string& v) {
-                options.sizes.table = integer_option("--size", v, 2, kMostCurveSize);
+                options.sizes.curves = integer_option("--size", v, 2, kMostCurveSize);
+                options.sizes.cube = options.sizes.curves;
               });
   line.option("--curves", "N", "with --size: entries of the curves before a cube",
               [&](const std::string& v) {
@@ -149,7 +150,7 @@ void run_lut_convert(Arguments arguments) {
   options.input.one_curve = output.file.one_curve = options.one_curve;
   const Lut lut = read_lut(options.paths[0], options.from, options.input);
   const Lut fitted =
-      options.sizes.table > 0 ? fit_lut(lut, format, options.sizes, output.path) : lut;
+      options.sizes.cube > 0 ? fit_lut(lut, format, options.sizes, output.path) : lut;
   const LutFile file = lut_file(fitted, format, output);
   write_lut_file(file, output);
   report(options, format, lut, file, change_words(lut, fitted, format, output.file));

@@ -241,7 +241,7 @@ std::string lut_bytes(const Lut& lut, const LutFormat& format, const std::string
                 "write all three");
   }
   Lut named = lut;
-  if (named.title.empty()) named.title = std::filesystem::path(path).stem().string();
+  if (named.title.empty() && path != "-") named.title = std::filesystem::path(path).stem().string();
   return format.write(named, options);
 }
 
