@@ -47,11 +47,12 @@ TEST(Exposure, ReachesEveryPixelOfABandWithGaps) {
 
 // [Reinhard02 eq 4] by hand.
 TEST(Reinhard, FollowsTheFormula) {
-  EXPECT_EQ(reinhard_luminance(1, 0), 0.5F);
-  EXPECT_EQ(reinhard_luminance(3, 0), 0.75F);
-  EXPECT_FLOAT_EQ(reinhard_luminance(1, 2), 0.625F);  // 1 (1 + 1/4)/2
-  EXPECT_FLOAT_EQ(reinhard_luminance(8, 8), 1);       // the white becomes 1
-  EXPECT_FLOAT_EQ(reinhard_luminance(0.18F, 4), 0.18F * (1 + 0.18F / 16) / 1.18F);
+  EXPECT_EQ(reinhard_luminance(1.0F, 0.0F), 0.5F);
+  EXPECT_EQ(reinhard_luminance(3.0F, 0.0F), 0.75F);
+  EXPECT_FLOAT_EQ(reinhard_luminance(1.0F, 2.0F), 0.625F);  // 1 (1 + 1/4)/2
+  EXPECT_FLOAT_EQ(reinhard_luminance(8.0F, 8.0F), 1);       // the white becomes 1
+  EXPECT_FLOAT_EQ(reinhard_luminance(0.18F, 4.0F), 0.18F * (1 + 0.18F / 16) / 1.18F);
+  EXPECT_DOUBLE_EQ(reinhard_luminance(0.18, 4.0), 0.18 * (1 + 0.18 / 16) / 1.18);
 }
 
 TEST(ToneMap, KeepsTheChromaticity) {
