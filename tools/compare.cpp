@@ -23,9 +23,11 @@ constexpr std::string_view kExamples =
     "  tristim compare --from lab --difference ciede2000 50 2.5 0 61 -5 29\n"
     "  printf '50 0 0\\n51 0 0\\n' | tristim compare --from lab --json\n"
     "  tristim compare --list\n"
-    "  tristim compare spheres.exr panel.png\n"
-    "  tristim compare spheres.exr panel.png --spd 60 --gate tone_max=0.5,hvs_snr@60=25\n"
-    "  tristim compare grey.png dithered.png --rapsd --plot texture.svg --json\n";
+    "  tristim render spheres -o spheres.exr && tristim process spheres.exr -d srgb -o screen.png\n"
+    "  tristim process spheres.exr -d srgb --palette best:64 -o few.png\n"
+    "  tristim compare screen.png few.png\n"
+    "  tristim compare screen.png few.png --spd 60 --gate scielab_mean@60=3,hvs_snr@60=25\n"
+    "  tristim compare screen.png few.png --rapsd --plot texture.svg --json\n";
 
 struct Options {
   std::string from, difference;  // "": rgb:srgb, and all

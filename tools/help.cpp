@@ -41,7 +41,7 @@ std::string help_text(const std::vector<HelpSection>& sections) {
   std::string text;
   for (const HelpSection& section : sections) {
     if (section.entries.empty()) continue;
-    if (!section.title.empty()) text += "\n" + section.title + ":\n";
+    if (!section.title.empty()) text += (text.empty() ? "" : "\n") + section.title + ":\n";
     for (const HelpEntry& entry : section.entries) text += entry_text(entry);
   }
   return text;

@@ -17,7 +17,7 @@ constexpr std::string_view kExamples =
     "  tristim render spheres -o spheres.exr\n"
     "  tristim info spheres.exr\n"
     "  tristim info spheres.exr --json\n"
-    "  tristim info scene.toml model.glb\n";
+    "  printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n' > model.obj && tristim info model.obj\n";
 
 // Positions as runs: "0-7 9 12-15".
 std::string runs_text(const std::vector<std::size_t>& positions) {

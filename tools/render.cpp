@@ -16,10 +16,13 @@ namespace {
 
 constexpr std::string_view kExamples =
     "  tristim render teapot -o teapot.exr\n"
-    "  tristim render scene.toml --layers beauty,N,Z,id -o scene.exr\n"
-    "  tristim render model.obj --size 1024x1024 --samples 16 --filter gaussian -o model.exr\n"
-    "  tristim render scene.toml --frames 1-24 -o turn-%04d.exr\n"
-    "  tristim render scene.toml | tristim process - --device epaper-4grey -o panel.png\n"
+    "  tristim render still-life --size 320x180 --layers beauty,N,Z,id -o layers.exr\n"
+    "  printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n' > model.obj && tristim render model.obj "
+    "--samples 16 --filter gaussian -o model.exr\n"
+    "  tristim render teapot --size 160x120 --frames 1-6 -o turn-%04d.exr\n"
+    "  tristim render still-life --size 800x480 | tristim process - --device epaper-4grey "
+    "--tone-map "
+    "reinhard:6 -o panel.png\n"
     "  tristim render --gallery -o gallery\n"
     "  tristim render spheres --size 320x180 --samples 4 -o small.exr\n";
 

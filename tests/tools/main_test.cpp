@@ -6,7 +6,9 @@ namespace {
 
 class Main : public CommandTest {};
 
-constexpr const char* kCommands[] = {"process", "convert", "levels", "device", "info", "render"};
+constexpr const char* kCommands[] = {"process", "convert", "spectrum", "gamut", "compare",
+                                     "palette", "levels",  "halftone", "lut",   "device",
+                                     "info",    "shade",   "render"};
 
 TEST_F(Main, PrintsItsVersion) {
   EXPECT_EQ(good("--version"), "tristim " + std::string(kVersion) + "\n");
@@ -73,8 +75,8 @@ TEST_F(Main, HintsAtTheNearestCommand) {
   refuses("proces", 2, "proces: unknown command; did you mean process?");
   refuses("xyzzyx", 2,
           "xyzzyx: unknown command; use one of: "
-          "process, convert, spectrum, gamut, compare, palette, levels, halftone, device, info, "
-          "shade, render");
+          "process, convert, spectrum, gamut, compare, palette, levels, halftone, lut, device, "
+          "info, shade, render");
   refuses("--quiet process", 2,
           "--quiet: unknown option; options follow the command: tristim <command> [options]");
   refuses("help proces", 2, "proces: unknown command; did you mean process?");
