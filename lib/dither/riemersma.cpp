@@ -57,7 +57,8 @@ template <typename Visit>
 void along_hilbert_curve(int width, int height, Visit&& visit) {
   const bool wide = width >= height;
   const int across = std::min(width, height);
-  const int order = std::bit_width(static_cast<unsigned>(std::max(across - 1, 0)));
+  const auto order =
+      static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(across - 1, 0))));
   const int side = 1 << order;
   const std::uint64_t steps = std::uint64_t{1} << (2 * order);
   for (int start = 0; start < std::max(width, height); start += side) {

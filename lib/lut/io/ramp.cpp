@@ -13,7 +13,7 @@ constexpr int kMostRamp = 65536;
 
 std::string kind_of_size(std::size_t entry_bytes) {
   std::string sizes;
-  for (const std::size_t size : {256, 1024, 4096}) {
+  for (const std::size_t size : {std::size_t{256}, std::size_t{1024}, std::size_t{4096}}) {
     sizes += (sizes.empty() ? "" : ", ") + std::to_string(size * entry_bytes);
   }
   return "256, 1024 and 4096 entries have " + sizes + " bytes";
