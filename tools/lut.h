@@ -22,7 +22,7 @@ void run_lut_ocio_config(Arguments arguments);
 /// What `tristim lut` does. The command and its help read this list.
 inline constexpr Command kLutJobs[] = {
     {"lut bake", "-o OUT --device D|--to MODEL|--ocio CONFIG [options]",
-     "a table of a pipeline, a device, a conversion or an OpenColorIO config", run_lut_bake},
+     "a table of a pipeline, a device, a conversion or an OCIO config", run_lut_bake},
     {"lut apply", "IN LUT... -o OUT [options]", "a picture through tables", run_lut_apply},
     {"lut invert", "LUT -o OUT [options]", "the table that undoes a table", run_lut_invert},
     {"lut compose", "LUT LUT... -o OUT [options]", "several tables as one", run_lut_compose},
