@@ -112,11 +112,11 @@ std::vector<Rgb> entries(int count) {
 void to_palette(benchmark::State& state, int count) {
   const Image in = gradient();
   const MixPalette palette(entries(count), kMetrics[1], Mix::kLight);
-  PaletteDiffusion diffusion(palette, kWidth, {.serpentine = true, .settled = false});
-  std::vector<std::uint16_t> indices(kWidth);
+  PaletteDiffusion diffusion(palette, kWidth, {.settled = false});
+  Raster<std::uint16_t> indices(kWidth, kRows, 1);
   for (auto _ : state) {
-    for (int y = 0; y < kRows; ++y) diffusion.row(in.view().row(y), indices);
-    benchmark::DoNotOptimize(indices.data());
+    diffusion.rows(in.view(), indices.view());
+    benchmark::DoNotOptimize(indices.view().data);
   }
   count_pixels(state);
 }
