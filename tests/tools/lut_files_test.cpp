@@ -182,5 +182,19 @@ TEST_F(OcioConfigCommand, OcioconvertMakesWhatProcessMakes) {
   }
 }
 
+TEST_F(OcioConfigCommand, IsBakedByDisplayAndBySpaces) {
+  good("lut ocio-config srgb crt-p22 -o config.ocio");
+  const auto display = parsed(good("lut bake --ocio config.ocio --display srgb --json -o d.cube"));
+  EXPECT_LE(display["ciede2000"]["largest"].get<double>(), 0.2);
+  good({"lut", "bake", "--ocio", "config.ocio", "--from-space", "Linear sRGB", "--to-space",
+        "srgb Codes", "-o", "s.cube"});
+  EXPECT_EQ(read_lut(file("d.cube")).steps, read_lut(file("s.cube")).steps);
+  const Rgb half = evaluate(read_lut(file("d.cube")), {0.2140411, 0.2140411, 0.2140411});
+  EXPECT_NEAR(half.g, 0.5, 1e-3);
+  refuses("lut bake --ocio config.ocio --display crt -o x.cube", 2,
+          "--display: config.ocio has no 'crt'; did you mean crt-p22? It has srgb, crt-p22");
+  EXPECT_FALSE(exists("x.cube"));
+}
+
 }  // namespace
 }  // namespace tristim
