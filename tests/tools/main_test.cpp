@@ -134,7 +134,7 @@ TEST_F(Main, ShowsProgressToATerminalOnly) {
   const auto terminal = [&](const std::string& arguments) {
     return shell("script -qec \"$TRISTIM " + arguments + "\" /dev/null").out;
   };
-  const std::string shown = terminal(command + "2000x2000");
+  const std::string shown = terminal(command + "4000x4000 --serpentine");  // takes seconds
   EXPECT_NE(shown.find("\rs.exr: "), std::string::npos) << shown;
   EXPECT_EQ(shown.find('\033'), std::string::npos) << "not every terminal knows escape sequences";
   EXPECT_NE(shown.find(" \rtristim: s.exr: note: "), std::string::npos) << shown;
