@@ -85,18 +85,24 @@ std::vector<std::uint8_t> deflated(std::vector<std::uint8_t>& bytes, int level, 
   return result;
 }
 
-/// The size of these bytes with a recipe, or nearly.
-std::size_t trial_size(const std::vector<std::uint8_t>& bytes, Matches matches) {
-  if (matches == Matches::kRuns) return run_length_deflated(bytes, true).size();
+/// Tells how small bytes become, or nearly.
+class Trial {
+ public:
+  std::size_t size(const std::vector<std::uint8_t>& bytes, Matches matches) {
+    if (matches == Matches::kRuns) return run_length_deflated(bytes, true).size();
+    if (!quick_) throw std::bad_alloc();
+    out_.resize(libdeflate_deflate_compress_bound(quick_.get(), bytes.size()));
+    return libdeflate_deflate_compress(quick_.get(), bytes.data(), bytes.size(), out_.data(),
+                                       out_.size());
+  }
+
+ private:
   struct Free {
     void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
   };
-  const std::unique_ptr<libdeflate_compressor, Free> quick(libdeflate_alloc_compressor(1));
-  if (!quick) throw std::bad_alloc();
-  std::vector<std::uint8_t> out(libdeflate_deflate_compress_bound(quick.get(), bytes.size()));
-  return libdeflate_deflate_compress(quick.get(), bytes.data(), bytes.size(), out.data(),
-                                     out.size());
-}
+  std::unique_ptr<libdeflate_compressor, Free> quick_{libdeflate_alloc_compressor(1)};
+  std::vector<std::uint8_t> out_;
+};
 
 /// The recipe that makes the least of some rows in the middle of the stripe.
 Recipe best_recipe(const PngStripe& stripe) {
@@ -104,12 +110,15 @@ Recipe best_recipe(const PngStripe& stripe) {
   const std::size_t trial_rows =
       std::clamp<std::size_t>(kTrialBytes / stripe.above.size(), 1, rows);
   const std::size_t first = (rows - trial_rows) / 2;
+  Trial trial;
   Recipe best = kPlain;
   std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const Recipe& recipe : kRecipes) {
-    const std::size_t size =
-        trial_size(filtered(stripe, recipe.filter, first, first + trial_rows), recipe.matches);
-    if (size < least) {
+  for (const Filter filter : {kPaeth, kNone}) {
+    const std::vector<std::uint8_t> bytes = filtered(stripe, filter, first, first + trial_rows);
+    for (const Recipe& recipe : kRecipes) {
+      if (recipe.filter != filter) continue;
+      const std::size_t size = trial.size(bytes, recipe.matches);
+      if (size >= least) continue;
       least = size;
       best = recipe;
     }
