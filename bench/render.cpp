@@ -9,7 +9,7 @@
 #include "tristim/light/spectral.h"
 #include "tristim/render/render.h"
 #ifdef TRISTIM_EMBREE
-#include <embree3/rtcore.h>
+#include "tests/render/embree_mesh.h"
 #endif
 
 namespace tristim {
@@ -108,26 +108,7 @@ BENCHMARK(visibility)->Arg(0)->Arg(1);
 // One ray for each pixel, sixteen at a time; the mesh is sorted into a tree beforehand.
 void embree(benchmark::State& state) {
   const Scene scene = scene_of(state.range(0) != 0);
-  const Mesh& mesh = scene.meshes[0];
-  RTCDevice device = rtcNewDevice("threads=1");
-  RTCScene tree = rtcNewScene(device);
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* places = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                             RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                                             mesh.positions.size()));
-  for (const Eigen::Vector3d& p : mesh.positions) {
-    for (int axis = 0; axis < 3; ++axis) *places++ = static_cast<float>(p[axis]);
-  }
-  auto* corners = static_cast<unsigned*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              3 * sizeof(unsigned), mesh.triangles.size()));
-  for (const MeshTriangle& triangle : mesh.triangles) {
-    for (const MeshCorner& corner : triangle.corners) *corners++ = corner.position;
-  }
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(tree, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(tree);
+  const EmbreeMesh tree(scene.meshes[0]);
   const float half = std::tan(16 * 3.14159265F / 180);
   alignas(64) RTCRayHit16 rays;
   alignas(64) int valid[16];
@@ -152,14 +133,12 @@ void embree(benchmark::State& state) {
           rays.ray.flags[k] = 0;
           rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
         }
-        rtcIntersect16(valid, tree, &context, &rays);
+        rtcIntersect16(valid, tree.scene(), &context, &rays);
         benchmark::DoNotOptimize(rays.hit.primID[0]);
       }
     }
   }
   state.SetItemsProcessed(state.iterations() * kSide * kSide);
-  rtcReleaseScene(tree);
-  rtcReleaseDevice(device);
 }
 BENCHMARK(embree)->Arg(0)->Arg(1);
 #endif

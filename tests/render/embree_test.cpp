@@ -1,11 +1,11 @@
 // Rays through the pixels' centres by a library of its own.
 #ifdef TRISTIM_EMBREE
-#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "tests/render/embree_mesh.h"
 #include "tests/render/scenes.h"
 
 namespace tristim {
@@ -31,33 +31,7 @@ Mesh random_triangles(int count) {
 
 class Rays {
  public:
-  explicit Rays(const Mesh& mesh)
-      : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* places = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                                               mesh.positions.size()));
-    for (const Eigen::Vector3d& p : mesh.positions) {
-      for (int axis = 0; axis < 3; ++axis) *places++ = static_cast<float>(p[axis]);
-    }
-    auto* corners = static_cast<unsigned*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(unsigned), mesh.triangles.size()));
-    for (const MeshTriangle& triangle : mesh.triangles) {
-      for (const MeshCorner& corner : triangle.corners) *corners++ = corner.position;
-    }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene_);
-  }
-  ~Rays() {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
-  }
-  Rays(const Rays&) = delete;
-  Rays& operator=(const Rays&) = delete;
+  explicit Rays(const Mesh& mesh) : mesh_(mesh, RTC_SCENE_FLAG_ROBUST) {}
 
   // The number of the first triangle, from 1; 0 for none.
   unsigned first_hit(const Eigen::Vector3d& from, const Eigen::Vector3d& along) const {
@@ -73,13 +47,12 @@ class Rays {
     ray.ray.tfar = INFINITY;
     ray.ray.mask = ~0U;
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_, &context, &ray);
+    rtcIntersect1(mesh_.scene(), &context, &ray);
     return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? 0 : ray.hit.primID + 1;
   }
 
  private:
-  RTCDevice device_;
-  RTCScene scene_;
+  EmbreeMesh mesh_;
 };
 
 TEST(RenderScene, SeesWhatEmbreesRaysMeet) {
