@@ -4,6 +4,8 @@
 #include "tools/commands.h"
 #include "tools/outputs.h"
 #include "tools/process_job.h"
+#include "tools/process_output.h"
+#include "tools/process_sequence.h"
 #include "tools/setting_options.h"
 #include "tools/spot_picture.h"
 #include "tristim/core/error.h"
@@ -213,7 +215,7 @@ void run_process(Arguments arguments) {
   if (jobs.empty()) return;
   if (options.resume) options.force = true;  // a picture that lacks one of its files is made anew
   if (is_animation(options)) return process_animation(options, device, jobs);
-  for (Job& job : jobs) process_picture(options, device, std::move(job));
+  process_sequence(options, device, std::move(jobs));
 }
 
 }  // namespace tristim::tools

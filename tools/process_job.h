@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "tristim/image/flatten.h"
+#include "tristim/pipeline/run.h"
 #include "tristim/pipeline/settings.h"
 #include "tristim/pipeline/stage.h"
 
@@ -32,23 +35,24 @@ struct Job {
   double seconds = 0;
 };
 
-/// Refuses an output whose format, by --format or its extension, is none, and a proof that is not
-/// called .png. Throws Error (kMisuse).
-void check_format(const ProcessOptions& options, const std::string& output);
-void check_proof_format(const std::string& proof);
+/// A picture that has been written, and what there is to say of it.
+struct Processed {
+  Job job;
+  Display display;
+  PictureInfo picture;            // as it was written
+  std::vector<StepReport> steps;  // where --explain asked for them
+};
 
-/// The files that an output becomes: itself, or one for each ink of a press.
-std::vector<std::string> output_files(const ProcessOptions& options, const Display& device,
-                                      const std::string& output);
-/// Whether the format of an output has a palette, and whether it has nothing else: GIF.
-bool is_indexed_format(const ProcessOptions& options, const std::string& output);
-bool is_indexed_only(const ProcessOptions& options, const std::string& output);
+/// Makes what sees the bands of a picture of so many rows go by. What it throws ends the picture.
+using MakeWatcher =
+    std::function<std::unique_ptr<BandObserver>(const std::string& input, int height)>;
 
-/// Reads one picture, writes its output and proof, and prints what was asked for. Throws Error.
-void process_picture(const ProcessOptions& options, const Display& device, Job job);
+/// Reads one picture and writes its output and proof. Throws Error.
+Processed process_picture(const ProcessOptions& options, const Display& device, Job job,
+                          const MakeWatcher& watcher);
 
 /// The pictures of `jobs`, all with one output, one after the other in one file, with one palette
-/// and at the size of the first. Throws Error.
+/// and at the size of the first; prints what was asked for. Throws Error.
 void process_animation(const ProcessOptions& options, const Display& device,
                        const std::vector<Job>& jobs);
 

@@ -6,6 +6,7 @@
 
 #include "tools/cli.h"
 #include "tools/palette_source.h"
+#include "tools/process_output.h"
 #include "tools/process_report.h"
 #include "tools/spool.h"
 #include "tristim/core/error.h"

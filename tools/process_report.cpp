@@ -1,6 +1,7 @@
 #include "tools/process_report.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tools/cli.h"
 #include "tools/report.h"
@@ -86,9 +87,10 @@ void add_counts(std::vector<StepReport>& steps, const Job& job) {
   }
 }
 
-nlohmann::ordered_json job_json(const ProcessOptions& options, const Job& job,
-                                const Display& display, const PictureInfo& picture,
-                                const std::vector<StepReport>& steps) {
+namespace {
+
+nlohmann::ordered_json job_json(const ProcessOptions& options, const Processed& processed) {
+  const auto& [job, display, picture, steps] = processed;
   nlohmann::ordered_json json{{"input", job.input},       {"output", job.output},
                               {"device", options.device}, {"width", picture.width},
                               {"height", picture.height}, {"packing", display.frame.packing.name}};
@@ -119,6 +121,17 @@ void say_notes(const Job& job) {
          " of the pixels are brighter than the device's white and were clipped; see --exposure and "
          "--tone-map");
   }
+}
+
+}  // namespace
+
+void report(const ProcessOptions& options, const Processed& processed) {
+  if (options.json) {
+    print(json_line(job_json(options, processed)));
+  } else if (options.explain) {
+    print(steps_text(processed.steps));
+  }
+  say_notes(processed.job);
 }
 
 }  // namespace tristim::tools

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "tools/process_job.h"
@@ -16,12 +15,7 @@ StepReport write_step(const Job& job, const FrameLayout& layout);
 /// Adds what was counted to the steps that counted it.
 void add_counts(std::vector<StepReport>& steps, const Job& job);
 
-/// What --json prints of a picture. `steps` may be empty.
-nlohmann::ordered_json job_json(const ProcessOptions& options, const Job& job,
-                                const Display& display, const PictureInfo& picture,
-                                const std::vector<StepReport>& steps);
-
-/// Tells on standard error what a user would want to know of a picture.
-void say_notes(const Job& job);
+/// Prints what was asked for of a picture, and notes what its user would want to know.
+void report(const ProcessOptions& options, const Processed& processed);
 
 }  // namespace tristim::tools

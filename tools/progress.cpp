@@ -19,9 +19,12 @@ Progress::Progress(const std::string& name, int height, int width)
       width_(width),
       shown_(isatty(STDERR_FILENO) == 1 && !quiet()) {}
 
+Progress::~Progress() { erase(); }
+
 // The line is overwritten by blanks: an escape sequence to clear it is not for every terminal.
-Progress::~Progress() {
+void Progress::erase() {
   if (drawn_ > 0) std::fprintf(stderr, "\r%*s\r", static_cast<int>(drawn_), "");
+  drawn_ = 0;
 }
 
 void Progress::seen(ImageView<const float> /*light*/, ImageView<const std::uint16_t> codes) {
@@ -48,6 +51,10 @@ void Progress::advance(int rows) {
   const int rest = static_cast<int>(drawn_ > length ? drawn_ - length : 0);
   std::fprintf(stderr, "\r%s: %s%*s", name_.c_str(), text.data(), rest, "");
   drawn_ = std::max(drawn_, length);
+}
+
+std::unique_ptr<BandObserver> make_progress(const std::string& input, int height) {
+  return std::make_unique<Progress>(input, height);
 }
 
 }  // namespace tristim::tools

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <string>
 
 #include "tristim/pipeline/run.h"
@@ -16,6 +17,7 @@ class Progress : public BandObserver {
   int light_after() const noexcept override { return -1; }
   void seen(ImageView<const float> light, ImageView<const std::uint16_t> codes) override;
   void advance(int rows);
+  void erase();  // what is drawn, so that something else may be printed
 
  private:
   std::string name_;
@@ -27,5 +29,8 @@ class Progress : public BandObserver {
   std::chrono::steady_clock::time_point first_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_ = first_;
 };
+
+/// Progress of a picture, see MakeWatcher.
+std::unique_ptr<BandObserver> make_progress(const std::string& input, int height);
 
 }  // namespace tristim::tools

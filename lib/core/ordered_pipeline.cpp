@@ -1,14 +1,13 @@
 #include "lib/core/ordered_pipeline.h"
 
-#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <cstddef>
 #include <memory>
 #include <vector>
 
 #include "lib/core/parallel.h"
+#include "lib/core/thread_arena.h"
 
 namespace tristim::detail {
 namespace {
@@ -79,9 +78,7 @@ void run_ordered(const OrderedSteps& steps, int threads) {
     steps.consume(*slot);
     slots.discard(slot);
   };
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(count));
-  tbb::task_arena arena(count);
+  ThreadArena arena(count);
   arena.execute([&] {
     tbb::parallel_pipeline(
         most,
