@@ -73,7 +73,6 @@ void process_side_by_side(const ProcessOptions& options, const Display& device, 
       lower(failed, turn.place);
     }
   };
-  steps.settle = [](void*) {};
   steps.consume = [&](void* item) {
     const Turn& turn = *static_cast<Turn*>(item);
     if (turn.failure) std::rethrow_exception(turn.failure);

@@ -49,7 +49,7 @@ void run_alone(const OrderedSteps& steps) {
   while (void* made = steps.produce()) {
     const std::shared_ptr<void> item(made, steps.discard);
     steps.work(made);
-    steps.settle(made);
+    for (const auto& settle : steps.settle) settle(made);
     steps.consume(made);
   }
 }
@@ -80,12 +80,13 @@ void run_ordered(const OrderedSteps& steps, int threads) {
   };
   ThreadArena arena(count);
   arena.execute([&] {
-    tbb::parallel_pipeline(
-        most,
-        tbb::make_filter<void, Slot>(tbb::filter_mode::serial_in_order, source) &
-            tbb::make_filter<Slot, Slot>(tbb::filter_mode::parallel, pass(steps.work)) &
-            tbb::make_filter<Slot, Slot>(tbb::filter_mode::serial_in_order, pass(steps.settle)) &
-            tbb::make_filter<Slot, void>(tbb::filter_mode::serial_in_order, last));
+    constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
+    auto filters = tbb::make_filter<void, Slot>(kInOrder, source) &
+                   tbb::make_filter<Slot, Slot>(tbb::filter_mode::parallel, pass(steps.work));
+    for (const auto& settle : steps.settle) {
+      filters = filters & tbb::make_filter<Slot, Slot>(kInOrder, pass(settle));
+    }
+    tbb::parallel_pipeline(most, filters & tbb::make_filter<Slot, void>(kInOrder, last));
   });
 }
 

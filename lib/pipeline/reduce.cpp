@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "lib/pipeline/channel_planes.h"
 #include "lib/pipeline/reduce_inks.h"
 #include "lib/pipeline/reduce_levels.h"
 #include "lib/pipeline/reduce_palette.h"
@@ -67,16 +68,37 @@ Reducer::~Reducer() = default;
 
 int Reducer::samples() const noexcept { return state_->display.frame.packing.samples; }
 
-bool Reducer::in_order() const noexcept {
-  return std::holds_alternative<DiffusionKernel>(state_->options.dither);
-}
-
 bool Reducer::whole_picture() const noexcept {
   return std::holds_alternative<WholePictureDither>(state_->options.dither);
 }
 
 void Reducer::reduce(Band band, ImageView<std::uint16_t> codes) {
-  std::visit([&](auto& target) { target.reduce(band, codes); }, state_->target);
+  prepare(band, codes);
+  for (int chain = 0; chain < chains(); ++chain) advance(chain, band, codes);
+  finish(codes);
+}
+
+int Reducer::chains() const noexcept {
+  if (!std::holds_alternative<DiffusionKernel>(state_->options.dither)) return 0;
+  return std::holds_alternative<detail::LevelReducer>(state_->target) ? samples() : 1;
+}
+
+void Reducer::prepare(Band band, ImageView<std::uint16_t> codes) {
+  State& s = *state_;
+  if (chains() == 0) return std::visit([&](auto& target) { target.reduce(band, codes); }, s.target);
+  if (const auto* levels = std::get_if<detail::LevelReducer>(&s.target)) levels->prepare(band);
+}
+
+void Reducer::advance(int chain, Band band, ImageView<std::uint16_t> codes) {
+  State& s = *state_;
+  if (auto* levels = std::get_if<detail::LevelReducer>(&s.target)) {
+    return levels->advance(chain, band, codes);
+  }
+  std::visit([&](auto& target) { target.reduce(band, codes); }, s.target);
+}
+
+void Reducer::finish(ImageView<std::uint16_t> codes) const {
+  if (chains() > 1) detail::join_rows(codes);
 }
 
 std::vector<StepReport> Reducer::explain() const {

@@ -1,10 +1,9 @@
 #include "lib/pipeline/reduce_levels.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
-#include "lib/dither/planes.h"
+#include "lib/pipeline/channel_planes.h"
 #include "tristim/color/primaries.h"
 
 namespace tristim::detail {
@@ -64,12 +63,6 @@ LevelScale channel_scale(const Display& display, const ReduceOptions& options,
                      static_cast<int>(channel));
 }
 
-// The channels of a band, each by itself.
-template <typename T>
-std::array<Raster<T>, 3> planes_of(int width, int height) {
-  return {Raster<T>(width, height, 1), Raster<T>(width, height, 1), Raster<T>(width, height, 1)};
-}
-
 }  // namespace
 
 LevelReducer::LevelReducer(const Display& display, const ReduceOptions& options, int width)
@@ -124,30 +117,24 @@ void LevelReducer::reduce_rgb_row(std::span<float> rgb, int y, std::span<std::ui
   }
 }
 
-// Error diffusion of channels without a mask: many rows of a channel at a time.
-void LevelReducer::diffuse(const Band& band, ImageView<std::uint16_t> codes) {
-  const int width = band.view.width;
-  const int height = band.view.height;
-  const auto rows = [&](std::size_t channel, ImageView<float> light,
-                        ImageView<std::uint16_t> channel_codes) {
-    for (int y = 0; y < height; ++y) to_mix(options_->mix, {light.row(y).data(), width, 1});
-    std::get<LevelDiffusion>(channels_[channel]).rows(light, channel_codes);
-  };
-  if (grey()) {
-    for (int y = 0; y < height; ++y) grey_row(band.view.row(y));
-    return rows(0, {band.view.data, width, height, 1, band.view.stride}, codes);
+void LevelReducer::prepare(const Band& band) const {
+  if (!grey()) split_rows(band.view);
+  for (int y = 0; y < band.view.height; ++y) {
+    const std::span<float> row = band.view.row(y);
+    const std::span<float> light = grey() ? grey_row(row) : row;
+    to_mix(options_->mix, {light.data(), static_cast<int>(light.size()), 1});
   }
-  auto light = planes_of<float>(width, height);
-  auto plane = planes_of<std::uint16_t>(width, height);
-  for (int y = 0; y < height; ++y) {
-    split_row(band.view.row(y), {light[0].view().row(y).data(), light[1].view().row(y).data(),
-                                 light[2].view().row(y).data()});
-  }
-  for (std::size_t c = 0; c < 3; ++c) rows(c, light[c].view(), plane[c].view());
-  for (int y = 0; y < height; ++y) {
-    join_row({plane[0].view().row(y).data(), plane[1].view().row(y).data(),
-              plane[2].view().row(y).data()},
-             codes.row(y));
+}
+
+void LevelReducer::advance(int channel, const Band& band, ImageView<std::uint16_t> codes) {
+  auto& diffusion = std::get<LevelDiffusion>(channels_[static_cast<std::size_t>(channel)]);
+  const ImageView<const float> light = plane(band.view, channel);
+  const ImageView<std::uint16_t> out = plane(codes, channel);
+  const float strength = options_->parameters.strength;
+  if (strength == 1 && band.dither_mask.data == nullptr) return diffusion.rows(light, out);
+  for (int y = 0; y < light.height; ++y) {
+    diffusion.row({light.row(y).data(), light.width, 1}, {out.row(y).data(), out.width, 1},
+                  row_strength(band, y, strength));
   }
 }
 
@@ -183,10 +170,6 @@ void LevelReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes
 void LevelReducer::reduce(Band band, ImageView<std::uint16_t> codes) {
   const float strength = options_->parameters.strength;
   if (std::holds_alternative<WholeChannel>(channels_[0])) return reduce_whole(band, codes);
-  if (std::holds_alternative<LevelDiffusion>(channels_[0]) && strength == 1 &&
-      band.dither_mask.data == nullptr) {
-    return diffuse(band, codes);
-  }
   for (int row = 0; row < band.view.height; ++row) {
     const std::vector<float> shares = row_strength(band, row, strength);
     const std::span<float> rgb = band.view.row(row);

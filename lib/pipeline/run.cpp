@@ -21,6 +21,7 @@ struct Work {
   StageCounts counts;
 
   ImageView<float> light_view() noexcept { return light.view().rows(0, rows); }
+  Band light_band() noexcept { return {light_view(), y0, dither_mask.view()}; }
   ImageView<std::uint16_t> codes_view() noexcept { return codes.view().rows(0, rows); }
 };
 
@@ -125,19 +126,20 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
     next += work->rows;
     return work.release();
   };
-  const auto reduce = [&](Work& work) {
-    reducer.reduce({work.light_view(), work.y0, work.dither_mask.view()}, work.codes_view());
-  };
   steps.work = [&](void* item) {
     Work& work = *static_cast<Work*>(item);
     apply_stages(stages, work, observers);
-    if (!reducer.in_order()) reduce(work);
+    reducer.prepare(work.light_band(), work.codes_view());
   };
-  steps.settle = [&](void* item) {
-    if (reducer.in_order()) reduce(*static_cast<Work*>(item));
-  };
+  for (int chain = 0; chain < reducer.chains(); ++chain) {
+    steps.settle.emplace_back([&reducer, chain](void* item) {
+      Work& work = *static_cast<Work*>(item);
+      reducer.advance(chain, work.light_band(), work.codes_view());
+    });
+  }
   steps.consume = [&](void* item) {
     Work& work = *static_cast<Work*>(item);
+    reducer.finish(work.codes_view());
     const ImageView<const std::uint16_t> codes = work.codes_view();
     for (std::size_t i = 0; i < observers.size(); ++i) {
       observers[i]->seen(work.wanted[i].view(), codes);

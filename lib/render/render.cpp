@@ -175,7 +175,7 @@ class BandRenderer {
     const auto band = [](void* item) -> Band& { return *static_cast<Band*>(item); };
     run_ordered({.produce = [&] { return static_cast<void*>(next()); },
                  .work = [&](void* item) { draw(band(item)); },
-                 .settle = [](void*) {},
+                 .settle = {},
                  .consume = [&](void* item) { sink.write(view(band(item))); },
                  .discard = [&](void* item) { give_back(&band(item)); }},
                 frame_.options.threads);

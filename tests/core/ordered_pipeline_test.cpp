@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <numeric>
@@ -28,10 +29,12 @@ struct Line {
       fail("work", number(item));
       number(item) += 1000;
     };
-    steps.settle = [this](void* item) {
-      fail("settle", number(item) - 1000);
-      settled.push_back(number(item));
-    };
+    for (std::vector<int>& seen : settled) {
+      steps.settle.emplace_back([this, &seen](void* item) {
+        fail("settle", number(item) - 1000);
+        seen.push_back(number(item));
+      });
+    }
     steps.consume = [this](void* item) {
       fail("consume", number(item) - 1000);
       consumed.push_back(number(item));
@@ -55,7 +58,8 @@ struct Line {
   OrderedSteps steps;
   int made = 0;
   int most_under_way = 0;
-  std::vector<int> settled, consumed;
+  std::array<std::vector<int>, 3> settled;  // by each such step
+  std::vector<int> consumed;
   std::atomic<int> discarded = 0;
 };
 
@@ -67,7 +71,7 @@ TEST(RunOrdered, KeepsTheOrderInEveryOrderedStep) {
       run_ordered(line.steps, threads);
       std::vector<int> expected(static_cast<std::size_t>(items));
       std::iota(expected.begin(), expected.end(), 1000);
-      EXPECT_EQ(line.settled, expected);
+      for (const auto& settled : line.settled) EXPECT_EQ(settled, expected);
       EXPECT_EQ(line.consumed, expected);
       EXPECT_EQ(line.discarded, items);
     }

@@ -38,16 +38,24 @@ class Reducer {
   /// Samples of a pixel: 3 or 1.
   int samples() const noexcept;
 
-  /// Whether bands must come one after the other from the picture's top: error diffusion. Otherwise
-  /// reduce() may run on several threads at once, in any order.
-  bool in_order() const noexcept;
-
   /// Whether the one band must be the whole picture.
   bool whole_picture() const noexcept;
 
   /// `band` (three channels, light; values outside of [0, 1] count as the nearer end) to `codes`,
-  /// of the same size with samples() channels. May use the band as scratch.
+  /// of the same size with samples() channels. May use the band as scratch. Where chains() is not
+  /// 0, bands must come one after the other from the picture's top; else several threads may call
+  /// this at once, in any order.
   void reduce(Band band, ImageView<std::uint16_t> codes);
+
+  /// How many parts of reduce() need the bands in order: error diffusion, each channel by itself.
+  int chains() const noexcept;
+
+  /// reduce() in steps, for those who have several bands under way: prepare() of any bands at once;
+  /// then advance() of each chain, which takes the bands in order and may do so beside other chains
+  /// with other bands; then finish().
+  void prepare(Band band, ImageView<std::uint16_t> codes);
+  void advance(int chain, Band band, ImageView<std::uint16_t> codes);
+  void finish(ImageView<std::uint16_t> codes) const;
 
   /// The step in words.
   std::vector<StepReport> explain() const;

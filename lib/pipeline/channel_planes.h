@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "tristim/image/view.h"
+
+namespace tristim::detail {
+
+/// Rows of interleaved pixels of three channels, in place, to rows of one channel after the other.
+void split_rows(ImageView<float> rgb);
+
+/// The way back.
+void join_rows(ImageView<std::uint16_t> rgb);
+
+/// One channel of rows so split.
+template <typename T>
+ImageView<T> plane(ImageView<T> split, int channel) noexcept {
+  return {split.data + std::ptrdiff_t{channel} * split.width, split.width, split.height, 1,
+          split.stride};
+}
+
+}  // namespace tristim::detail
