@@ -1,52 +1,37 @@
 // Conversions of float rows, beside what memory alone allows (a copy) and beside OpenColorIO's and
 // Little CMS's of the same rows.
+#include <OpenColorIO/OpenColorIO.h>
 #include <benchmark/benchmark.h>
+#include <lcms2.h>
 
+#include <algorithm>
 #include <cstring>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "bench/pictures.h"
 #include "lib/color/row_kernels.h"
 #include "tristim/color/rows.h"
 
-#ifdef TRISTIM_PEERS
-#include <OpenColorIO/OpenColorIO.h>
-#include <lcms2.h>
-#endif
-
-namespace tristim {
+namespace tristim::bench {
 namespace {
 
-constexpr int kWidth = 3840;
-constexpr int kRows = 512;  // with the result 47 MB: no cache holds it
 constexpr std::size_t kRowSamples = std::size_t{kWidth} * 3;
-constexpr std::size_t kSamples = kRowSamples * kRows;
-
-const std::vector<float>& noise() {
-  static const std::vector<float> samples = [] {
-    std::vector<float> all(kSamples);
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> light(0, 1);
-    for (float& x : all) x = light(random);
-    return all;
-  }();
-  return samples;
-}
+constexpr std::size_t kSamples = kRowSamples * kHeight;
 
 // Runs convert(in, out) on every row.
 template <typename Convert>
 void for_rows(benchmark::State& state, Convert&& convert) {
-  const std::vector<float>& in = noise();
+  static const std::vector<float> in = noise(kSamples);
   std::vector<float> out(kSamples);
   for (auto _ : state) {
-    for (std::size_t y = 0; y < kRows; ++y) {
+    for (std::size_t y = 0; y < kHeight; ++y) {
       convert(in.data() + y * kRowSamples, out.data() + y * kRowSamples);
     }
     benchmark::DoNotOptimize(out.data());
     benchmark::ClobberMemory();
   }
-  state.SetItemsProcessed(state.iterations() * kWidth * kRows);
+  count_pixels(state, kWidth, kHeight);
 }
 
 // The floor.
@@ -95,23 +80,90 @@ void tristim_rows(benchmark::State& state, const Conversion& conversion, const s
   });
 }
 
-#ifdef TRISTIM_PEERS
-namespace ocio = OCIO_NAMESPACE;
-
-void ocio_rows(benchmark::State& state, const ocio::ConstTransformRcPtr& transform) {
-  const auto config = ocio::Config::CreateRaw();
-  const auto processor = config->getProcessor(transform)->getDefaultCPUProcessor();
+// RGB to HSV and back, row by row.
+void hsv_round_trip(benchmark::State& state) {
+  const RowConversion to_hsv(parse_model("rgb", "from"), parse_model("hsv", "to"),
+                             Adaptation::kBradford);
+  const RowConversion to_rgb(parse_model("hsv", "from"), parse_model("rgb", "to"),
+                             Adaptation::kBradford);
   for_rows(state, [&](const float* in, float* out) {
-    const ocio::PackedImageDesc from(const_cast<float*>(in), kWidth, 1, 3);
-    ocio::PackedImageDesc to(out, kWidth, 1, 3);
-    processor->apply(from, to);
+    to_hsv({in, kRowSamples}, 3, {out, kRowSamples}, 3);
+    to_rgb({out, kRowSamples}, 3, {out, kRowSamples}, 3);
   });
 }
+BENCHMARK(hsv_round_trip);
 
-void ocio_fixed(benchmark::State& state, ocio::FixedFunctionStyle style, bool inverse) {
+// The loop that everybody writes first: the hexcone in floats, hue in sixths of the circle.
+void plain_round_trip(const float* rgb, float* out) {
+  const float high = std::max({rgb[0], rgb[1], rgb[2]});
+  const float span = high - std::min({rgb[0], rgb[1], rgb[2]});
+  const float saturation = high > 0 ? span / high : 0;
+  float hue = 0;
+  if (span > 0) {
+    if (high == rgb[0]) {
+      hue = (rgb[1] - rgb[2]) / span;
+    } else if (high == rgb[1]) {
+      hue = 2 + (rgb[2] - rgb[0]) / span;
+    } else {
+      hue = 4 + (rgb[0] - rgb[1]) / span;
+    }
+    if (hue < 0) hue += 6;
+  }
+  const int sextant = static_cast<int>(hue);
+  const float part = hue - static_cast<float>(sextant);
+  const float low = high * (1 - saturation);
+  const float falling = high * (1 - saturation * part);
+  const float rising = high * (1 - saturation * (1 - part));
+  const float colors[][3] = {{high, rising, low},  {falling, high, low}, {low, high, rising},
+                             {low, falling, high}, {rising, low, high},  {high, low, falling}};
+  std::copy_n(colors[sextant % 6], 3, out);
+}
+
+void plain_hsv_round_trip(benchmark::State& state) {
+  for_rows(state, [](const float* in, float* out) {
+    for (std::size_t i = 0; i < kRowSamples; i += 3) plain_round_trip(in + i, out + i);
+  });
+}
+BENCHMARK(plain_hsv_round_trip);
+
+namespace ocio = OCIO_NAMESPACE;
+
+using ConstProcessor = ocio::ConstCPUProcessorRcPtr;
+
+ConstProcessor ocio_processor(const ocio::ConstTransformRcPtr& transform) {
+  return ocio::Config::CreateRaw()->getProcessor(transform)->getDefaultCPUProcessor();
+}
+
+void ocio_row(const ConstProcessor& processor, const float* in, float* out) {
+  const ocio::PackedImageDesc from(const_cast<float*>(in), kWidth, 1, 3);
+  ocio::PackedImageDesc to(out, kWidth, 1, 3);
+  processor->apply(from, to);
+}
+
+void ocio_rows(benchmark::State& state, const ocio::ConstTransformRcPtr& transform) {
+  const ConstProcessor processor = ocio_processor(transform);
+  for_rows(state, [&](const float* in, float* out) { ocio_row(processor, in, out); });
+}
+
+ocio::ConstTransformRcPtr fixed(ocio::FixedFunctionStyle style, bool inverse) {
   const auto transform = ocio::FixedFunctionTransform::Create(style);
   transform->setDirection(inverse ? ocio::TRANSFORM_DIR_INVERSE : ocio::TRANSFORM_DIR_FORWARD);
-  ocio_rows(state, transform);
+  return transform;
+}
+
+// Two processors: one that held both would leave both out.
+void ocio_hsv_round_trip(benchmark::State& state) {
+  const ConstProcessor to_hsv = ocio_processor(fixed(ocio::FIXED_FUNCTION_RGB_TO_HSV, false));
+  const ConstProcessor to_rgb = ocio_processor(fixed(ocio::FIXED_FUNCTION_RGB_TO_HSV, true));
+  for_rows(state, [&](const float* in, float* out) {
+    ocio_row(to_hsv, in, out);
+    ocio_row(to_rgb, out, out);
+  });
+}
+BENCHMARK(ocio_hsv_round_trip);
+
+void ocio_fixed(benchmark::State& state, ocio::FixedFunctionStyle style, bool inverse) {
+  ocio_rows(state, fixed(style, inverse));
 }
 BENCHMARK_CAPTURE(ocio_fixed, rgb_to_hsv, ocio::FIXED_FUNCTION_RGB_TO_HSV, false);
 BENCHMARK_CAPTURE(ocio_fixed, hsv_to_rgb, ocio::FIXED_FUNCTION_RGB_TO_HSV, true);
@@ -149,8 +201,6 @@ void lcms_xyz_to_lab(benchmark::State& state) {
   cmsCloseProfile(lab);
 }
 BENCHMARK(lcms_xyz_to_lab);
-#endif
-
 [[maybe_unused]] const bool kRegistered = [] {
   std::vector<std::string> sets;
   for (const detail::RowKernels& kernels : detail::simd_row_kernels()) {
@@ -169,4 +219,4 @@ BENCHMARK(lcms_xyz_to_lab);
 }();
 
 }  // namespace
-}  // namespace tristim
+}  // namespace tristim::bench

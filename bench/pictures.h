@@ -1,0 +1,82 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "tristim/color/transfer.h"
+#include "tristim/dither/levels.h"
+
+namespace tristim::bench {
+
+/// The picture that figures are quoted for.
+inline constexpr int kWidth = 3840;
+inline constexpr int kHeight = 2160;
+
+/// `count` floats in [0, 1), the same ones every time.
+inline std::vector<float> noise(std::size_t count) {
+  std::vector<float> made(count);
+  std::mt19937 random(1);
+  for (float& x : made) x = static_cast<float>(random() >> 8) * 0x1p-24F;
+  return made;
+}
+
+/// Samples without gaps at an address that every library takes for vectors.
+template <typename T>
+class Samples {
+ public:
+  explicit Samples(std::size_t count)
+      : count_(count),
+        data_(static_cast<T*>(std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64))) {
+    if (!data_) throw std::bad_alloc();
+    std::fill_n(data_.get(), count, T{});  // so that no measurement is the first to touch it
+  }
+  T* data() const noexcept { return data_.get(); }
+  std::size_t size() const noexcept { return count_; }
+  T& operator[](std::size_t i) const noexcept { return data_.get()[i]; }
+
+ private:
+  struct Free {
+    void operator()(T* p) const noexcept { std::free(p); }
+  };
+  std::size_t count_;
+  std::unique_ptr<T[], Free> data_;
+};
+
+/// Levels of `bits` bits with their codes, even in light or behind sRGB's curve.
+inline MixLevels levels(int bits, bool srgb = true) {
+  MixLevels made;
+  const int last = (1 << bits) - 1;
+  for (int i = 0; i <= last; ++i) {
+    const double code = static_cast<double>(i) / last;
+    made.light.push_back(static_cast<float>(srgb ? srgb_decode(code) : code));
+    made.code.push_back(static_cast<std::uint16_t>(i));
+  }
+  return made;
+}
+
+/// Runs part(first, count) on all of `height` rows, shared out among `threads`.
+template <typename Part>
+void share_rows(int height, int threads, const Part& part) {
+  const auto share = [&](int i) {
+    const int first = height * i / threads;
+    part(first, height * (i + 1) / threads - first);
+  };
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back(share, i);
+  share(0);
+  for (std::thread& other : others) other.join();
+}
+
+/// Tells how many pixels every iteration went through.
+inline void count_pixels(benchmark::State& state, std::int64_t width, std::int64_t height) {
+  state.SetItemsProcessed(state.iterations() * width * height);
+}
+
+}  // namespace tristim::bench
