@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "lib/device/ink_areas.h"
 #include "tristim/core/find.h"
 
 namespace tristim {
@@ -14,59 +15,11 @@ constexpr std::string_view kProcessInks[] = {"cyan", "magenta", "yellow", "black
 constexpr std::size_t kBlack = 3;
 
 using Three = std::array<double, 3>;
-using Areas = std::array<double, 4>;  // cyan, magenta, yellow, black
+using Areas = detail::InkAreas;
 
 Three numbers(const Rgb& c) { return {c.r, c.g, c.b}; }
 
-// A system of three linear equations by Cramer's rule; false where it has no single solution.
-bool solve(const std::array<Three, 3>& columns, const Three& right, Three& solution) {
-  const auto determinant = [](const Three& a, const Three& b, const Three& c) {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
-  };
-  const double whole = determinant(columns[0], columns[1], columns[2]);
-  if (!(std::fabs(whole) > 1e-12)) return false;
-  solution = {determinant(right, columns[1], columns[2]) / whole,
-              determinant(columns[0], right, columns[2]) / whole,
-              determinant(columns[0], columns[1], right) / whole};
-  return true;
-}
-
-// Newton's method for the areas of three of the inks, `free`, that print `wanted`; the fourth
-// stays. Areas may leave [0, 1] a little on the way and at the end.
-void fit_areas(const std::array<Three, 4>& absorbed, const std::array<std::size_t, 3>& free,
-               const Three& wanted, Areas& areas) {
-  constexpr int kMostRounds = 12;
-  constexpr double kGood = 1e-7;
-  for (int round = 0; round < kMostRounds; ++round) {
-    std::array<Three, 3> slopes{};
-    Three missing{};
-    double worst = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      double light = 1;
-      for (std::size_t i = 0; i < 4; ++i) light *= 1 - areas[i] * absorbed[i][j];
-      missing[j] = wanted[j] - light;
-      worst = std::max(worst, std::fabs(missing[j]));
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double own = 1 - areas[free[k]] * absorbed[free[k]][j];
-        slopes[k][j] = -absorbed[free[k]][j] * light / std::max(own, 1e-6);
-      }
-    }
-    if (worst < kGood) return;
-    Three step{};
-    if (!solve(slopes, missing, step)) return;
-    for (std::size_t k = 0; k < 3; ++k) {
-      areas[free[k]] = std::clamp(areas[free[k]] + step[k], -0.5, 1.2);
-    }
-  }
-}
-
 Areas areas_of(const Cmyk& ink) { return {ink.c, ink.m, ink.y, ink.k}; }
-
-Cmyk clipped(const Areas& a) {
-  const auto in = [](double area) { return std::clamp(area, 0.0, 1.0); };
-  return {in(a[0]), in(a[1]), in(a[2]), in(a[3])};
-}
 
 }  // namespace
 
@@ -109,25 +62,19 @@ Separation::Separation(const Press& press, bool relative_black) : press_(press) 
   if (relative_black) black_ = numbers(darkest_print(press));
 }
 
-// As little of the three colours as the replacement asks for: black takes its share of what they
-// have in common, and where one of them would then have to take ink away, black gives way.
+// Black takes its share of what the three colours have in common, more or less where the areas
+// would not be in range with that.
 Cmyk Separation::measured(const Rgb& light) const noexcept {
   const Three asked = numbers(light);
   Three wanted{};
   for (std::size_t j = 0; j < 3; ++j) wanted[j] = black_[j] + (1 - black_[j]) * asked[j];
   BlackGeneration black = press_.black;
   if (place_[kBlack] < 0) black.replacement = 0;
-  black.limit = 4;
-  Areas areas = areas_of(cmy_to_cmyk_normalised({1 - asked[0], 1 - asked[1], 1 - asked[2]}, black));
-  fit_areas(absorbed_, {0, 1, 2}, wanted, areas);
-  const auto least = std::min_element(areas.begin(), areas.begin() + kBlack);
-  constexpr double kNoInk = -1e-6;
-  if (*least < kNoInk && areas[kBlack] > 0) {
-    *least = 0;
-    const auto none = static_cast<std::size_t>(least - areas.begin());
-    fit_areas(absorbed_, {(none + 1) % kBlack, (none + 2) % kBlack, kBlack}, wanted, areas);
-  }
-  return clipped(areas);
+  const Cmyk first = cmy_to_cmyk_normalised({1 - asked[0], 1 - asked[1], 1 - asked[2]},
+                                            {black.replacement, BlackGeneration{}.limit});
+  const detail::InkAreas areas =
+      detail::solve_areas(absorbed_, wanted, areas_of(first), black.limit);
+  return {areas[0], areas[1], areas[2], areas[3]};
 }
 
 void Separation::areas(const Rgb& light, std::span<double> inks) const noexcept {

@@ -86,6 +86,60 @@ TEST(Separation, PrintsWhatItsInksHaveMixed) {
   }
 }
 
+// Whatever the share of black and within whatever sum of inks, all that four inks can mix comes out
+// again, if with other areas.
+TEST(Separation, PrintsWhatItsFourInksHaveMixed) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-0.4, 1.4);  // many bare and solid ones
+  double worst = 0;
+  for (const Press& inks : {offset(), ideal({"cyan", "magenta", "yellow", "black"})}) {
+    const Rgb black = darkest_print(inks);
+    for (const double limit : {4.0, 3.3, 2.6}) {
+      for (const double replacement : {1.0, 0.8, 0.5, 0.2, 0.0}) {
+        Press press = inks;
+        press.black = {replacement, limit};
+        const Separation separation(press);
+        for (int i = 0; i < 2000; ++i) {
+          Areas mixed(4);
+          for (double& area : mixed) area = std::clamp(any(random), 0.0, 1.0);
+          const Rgb seen = printed_light(press.inks, mixed);
+          const Rgb light{(seen.r - black.r) / (1 - black.r), (seen.g - black.g) / (1 - black.g),
+                          (seen.b - black.b) / (1 - black.b)};
+          if (std::min({light.r, light.g, light.b}) < 0) continue;  // darker than asked for
+          if (mixed[0] + mixed[1] + mixed[2] + mixed[3] > limit) continue;
+          Areas found(4);
+          separation.areas(light, found);
+          worst = std::max(worst, distance(printed_light(press.inks, found), seen));
+          ASSERT_LE(found[0] + found[1] + found[2] + found[3], limit + 1e-12);
+        }
+      }
+    }
+  }
+  EXPECT_LT(worst, 1e-5);  // largest measured: 3e-6
+}
+
+double squares(const Rgb& a, const Rgb& b) {
+  return (a.r - b.r) * (a.r - b.r) + (a.g - b.g) * (a.g - b.g) + (a.b - b.b) * (a.b - b.b);
+}
+
+// Nothing that inks mix is as pure as light of one channel: no ink more or less comes nearer.
+TEST(Separation, ComesNearToWhatItsInksCannotMix) {
+  const Press press = offset();
+  for (const Rgb& light : {Rgb{1, 0, 0}, Rgb{0, 1, 0}, Rgb{0, 0, 1}, Rgb{1, 1, 0}, Rgb{0, 1, 1}}) {
+    const Areas inks = areas(press, light);
+    const Rgb aim = wanted(press, light);
+    const double off = squares(printed_light(press.inks, inks), aim);
+    EXPECT_GT(off, 1e-3);
+    for (std::size_t i = 0; i < inks.size(); ++i) {
+      for (const double change : {-0.02, 0.02}) {
+        Areas other = inks;
+        other[i] = std::clamp(other[i] + change, 0.0, 1.0);
+        EXPECT_LE(off, squares(printed_light(press.inks, other), aim) + 1e-9) << i;
+      }
+    }
+  }
+}
+
 TEST(Separation, BlackTakesGreysAloneWhereItReplacesAll) {
   Press press = offset();
   press.black.replacement = 1;

@@ -58,8 +58,8 @@ class Separation {
 
   /// Picture light, linear RGB in [0, 1] of the device's primaries, to the area that each ink shall
   /// seem to cover, [0, 1]. With `relative_black` picture black is the darkest print, else the
-  /// absence of light. Colours beyond what the inks mix with that share of black get areas in
-  /// range, not the nearest colour.
+  /// absence of light. What the inks can mix within the limit is right to 1e-5 of light by the
+  /// measured rule; other colours get the areas whose light is nearest in squares.
   void areas(const Rgb& light, std::span<double> inks) const noexcept;
 
  private:
