@@ -77,7 +77,8 @@ std::vector<StepReport> write_picture(const ProcessOptions& options, const Palet
   const Display& display = palette.display;
   const PictureInfo& info = prepared.picture->info();
   const StageList stages = stage_list(info, display, options.settings);
-  Reducer reducer(display, reduce_options(display, options.settings), info.width);
+  const ReduceOptions reduced = reduce_options(display, options.settings);
+  Reducer reducer(display, reduced, info.width);
   const auto sink = picture_sink(options, palette, job.input, file);
   std::unique_ptr<CodeSink> proof_sink;
   std::optional<ProofObserver> proof;
@@ -87,14 +88,14 @@ std::vector<StepReport> write_picture(const ProcessOptions& options, const Palet
   std::vector<BandObserver*> observers{watcher.get()};
   if (!job.proof.empty()) {
     proof_sink = open_proof(options, job.proof, info);
-    observers.push_back(&proof.emplace(display, *proof_sink));
+    observers.push_back(&proof.emplace(display, *proof_sink, seen_dots(display, reduced)));
     observers.push_back(&difference.emplace(info.primaries, options.settings.adaptation, display,
                                             stages.scene_stages));
   }
   job.counts = run(*prepared.picture, stages.stages, reducer, *sink, observers,
                    {.threads = options.threads, .band_rows = 0, .dither_mask = mask.get()});
   watcher.reset();  // the line that it may have is free again
-  if (proof_sink) proof_sink->finish();
+  if (proof) proof->finish();
   if (difference) job.mean_ciede2000 = difference->mean_ciede2000();
   if (!options.explain) return {};
   std::vector<StepReport> steps{read_step(prepared.file_info, job),

@@ -8,6 +8,7 @@
 #include "tristim/frame/io/separations.h"
 #include "tristim/frame/io/write.h"
 #include "tristim/image/io/exr.h"
+#include "tristim/pipeline/chain.h"
 #include "tristim/pipeline/proof.h"
 
 namespace tristim::tools {
@@ -110,7 +111,9 @@ std::unique_ptr<CodeSink> open_sink(const ProcessOptions& options, const std::st
     info.width = picture.width;
     info.height = picture.height;
     info.primaries = palette.display.primaries;
-    return decoding_sink(palette.display, open_exr_sink(output, info, {.replace = options.force}));
+    const ReduceOptions reduced = reduce_options(palette.display, options.settings);
+    return decoding_sink(palette.display, open_exr_sink(output, info, {.replace = options.force}),
+                         seen_dots(palette.display, reduced));
   }
   FrameInfo info = palette_frame_info(palette, picture.width, picture.height);
   info.frames = frames;

@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::size_t kInks = 4;
 constexpr std::size_t kBlack = 3;
-constexpr double kGood = 1e-7;  // of light
-constexpr double kDark = 1e-6;  // of light that an ink lets through: none of it is without a slope
+constexpr double kGood = 1e-7;     // of light
 constexpr double kOutside = 1e-6;  // of area: what is no more than that out of range is in range
 
 using Three = std::array<double, 3>;
@@ -33,8 +32,9 @@ bool solve(std::array<std::array<double, kInks + 1>, kInks>& rows, InkAreas& sol
     }
     if (!(std::fabs(rows[pivot][k]) > 1e-12)) return false;
     std::swap(rows[k], rows[pivot]);
+    const double inverse = 1 / rows[k][k];
     for (std::size_t i = k + 1; i < kInks; ++i) {
-      const double factor = rows[i][k] / rows[k][k];
+      const double factor = rows[i][k] * inverse;
       for (std::size_t j = k; j <= kInks; ++j) rows[i][j] -= factor * rows[k][j];
     }
   }
@@ -46,19 +46,20 @@ bool solve(std::array<std::array<double, kInks + 1>, kInks>& rows, InkAreas& sol
   return true;
 }
 
-// What each ink lets through of a channel.
-InkAreas let_through(const InkAbsorption& absorbed, const InkAreas& areas, std::size_t channel) {
+// The light of a channel that all inks but one let through, by that one.
+InkAreas without_each(const InkAbsorption& absorbed, const InkAreas& areas, std::size_t channel) {
   InkAreas through{};
-  for (std::size_t i = 0; i < kInks; ++i)
-    through[i] = std::max(1 - areas[i] * absorbed[i][channel], kDark);
-  return through;
+  for (std::size_t i = 0; i < kInks; ++i) through[i] = 1 - areas[i] * absorbed[i][channel];
+  const double colours = through[0] * through[1];
+  const double others = through[2] * through[3];
+  return {through[1] * others, through[0] * others, colours * through[3], colours * through[2]};
 }
 
 // Newton's method for the areas on a plane that print `wanted`; true where it got there. Areas may
 // leave [0, 1] a little on the way and at the end.
 bool fit_areas(const InkAbsorption& absorbed, const Three& wanted, const AreaPlane& plane,
                InkAreas& areas) {
-  constexpr int kMostRounds = 30;
+  constexpr int kMostRounds = 14;
   constexpr double kLeast = -20;
   constexpr double kMost = 3;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -69,13 +70,11 @@ bool fit_areas(const InkAbsorption& absorbed, const Three& wanted, const AreaPla
     std::ranges::copy(plane.normal, rows[kBlack].begin());
     rows[kBlack][kInks] = off_plane;
     for (std::size_t j = 0; j < wanted.size(); ++j) {
-      const InkAreas through = let_through(absorbed, areas, j);
-      const double light = through[0] * through[1] * through[2] * through[3];
+      const InkAreas without = without_each(absorbed, areas, j);
+      const double light = without[0] * (1 - areas[0] * absorbed[0][j]);
       rows[j][kInks] = wanted[j] - light;
       worst = std::max(worst, std::fabs(rows[j][kInks]));
-      for (std::size_t i = 0; i < kInks; ++i) {
-        rows[j][i] = -absorbed[i][j] * light / through[i];
-      }
+      for (std::size_t i = 0; i < kInks; ++i) rows[j][i] = -absorbed[i][j] * without[i];
     }
     if (worst < kGood) return true;
     InkAreas step{};
@@ -104,28 +103,36 @@ Violation worst_violation(const InkAreas& areas) {
   return worst;
 }
 
+enum class Fit {
+  kInRange,
+  kOutOfRange,  // found, but bounds are broken by turns
+  kLost,        // not found
+};
+
 // The areas that print `wanted` lie on a curve, which is entered at a plane and left towards
-// whatever bound is broken most. False where that does not end in range.
-bool fit_in_range(const InkAbsorption& absorbed, const Three& wanted, AreaPlane plane,
-                  InkAreas& areas) {
-  constexpr int kMostBounds = 6;
+// whatever bound is broken most.
+Fit fit_in_range(const InkAbsorption& absorbed, const Three& wanted, AreaPlane plane,
+                 InkAreas& areas) {
+  constexpr int kMostBounds = 4;
   for (int i = 0; i < kMostBounds; ++i) {
-    if (!fit_areas(absorbed, wanted, plane, areas)) return false;
+    if (!fit_areas(absorbed, wanted, plane, areas)) return Fit::kLost;
     const Violation worst = worst_violation(areas);
-    if (worst.amount <= kOutside) return true;
+    if (worst.amount <= kOutside) return Fit::kInRange;
     plane = worst.bound;
   }
-  return false;
+  return Fit::kOutOfRange;
 }
 
-// The same from the first of several beginnings that leads there, entered where it has `black`.
-bool fit_from_any(std::initializer_list<InkAreas> beginnings, const InkAbsorption& absorbed,
-                  const Three& wanted, double black, InkAreas& areas) {
+// The same from the first of several beginnings that is not lost, entered where it has `black`.
+Fit fit_from_any(std::initializer_list<InkAreas> beginnings, const InkAbsorption& absorbed,
+                 const Three& wanted, double black, InkAreas& areas) {
+  Fit fit = Fit::kLost;
   for (const InkAreas& beginning : beginnings) {
     areas = beginning;
-    if (fit_in_range(absorbed, wanted, {{0, 0, 0, 1}, black}, areas)) return true;
+    fit = fit_in_range(absorbed, wanted, {{0, 0, 0, 1}, black}, areas);
+    if (fit != Fit::kLost) break;
   }
-  return false;
+  return fit;
 }
 
 InkAreas in_range(InkAreas areas) {
@@ -144,26 +151,34 @@ double most_black(const InkAbsorption& absorbed, const Three& wanted) {
   return std::max(most, 0.0);
 }
 
-// Least squares in range, area after area: light is linear in each of them.
+// The area of one ink, up to `most`, that comes nearest to `wanted`: light is linear in it.
+double nearest_area(const InkAbsorption& absorbed, const Three& wanted, const InkAreas& areas,
+                    std::size_t ink, double most) {
+  double slope2 = 0;
+  double toward = 0;
+  for (std::size_t j = 0; j < wanted.size(); ++j) {
+    const double bare = without_each(absorbed, areas, j)[ink];
+    const double slope = bare * absorbed[ink][j];
+    slope2 += slope * slope;
+    toward += slope * (bare - wanted[j]);
+  }
+  return slope2 > 1e-12 ? std::clamp(toward / slope2, 0.0, most) : std::min(areas[ink], most);
+}
+
+// Least squares in range, area after area.
 void descend(const InkAbsorption& absorbed, const Three& wanted, double limit, InkAreas& areas) {
-  constexpr int kRounds = 40;
-  for (int round = 0; round < kRounds; ++round) {
+  constexpr int kMostRounds = 40;
+  constexpr double kStill = 1e-5;
+  for (int round = 0; round < kMostRounds; ++round) {
+    double moved = 0;
     for (std::size_t i = 0; i < kInks; ++i) {
-      double slope2 = 0;
-      double toward = 0;
-      double others = 0;
-      for (std::size_t k = 0; k < kInks; ++k) others += k == i ? 0 : areas[k];
-      for (std::size_t j = 0; j < wanted.size(); ++j) {
-        InkAreas through = let_through(absorbed, areas, j);
-        through[i] = 1;
-        const double bare = through[0] * through[1] * through[2] * through[3];
-        const double slope = bare * absorbed[i][j];
-        slope2 += slope * slope;
-        toward += slope * (bare - wanted[j]);
-      }
-      if (!(slope2 > 1e-12)) continue;
-      areas[i] = std::clamp(toward / slope2, 0.0, std::clamp(limit - others, 0.0, 1.0));
+      const double others = sum(areas) - areas[i];
+      const double most = std::clamp(limit - others, 0.0, 1.0);
+      const double area = nearest_area(absorbed, wanted, areas, i, most);
+      moved = std::max(moved, std::fabs(area - areas[i]));
+      areas[i] = area;
     }
+    if (moved < kStill) return;
   }
 }
 
@@ -174,13 +189,15 @@ InkAreas solve_areas(const InkAbsorption& absorbed, const Three& wanted, const I
   constexpr InkAreas kNone{0, 0, 0, 0};
   constexpr InkAreas kHalf{0.5, 0.5, 0.5, 0};
   InkAreas areas{};
-  const bool fits = fit_from_any({first, kHalf}, absorbed, wanted, first[kBlack], areas) ||
-                    fit_from_any({kHalf}, absorbed, wanted, 0, areas);
+  Fit fit = fit_from_any({first, kHalf}, absorbed, wanted, first[kBlack], areas);
+  if (fit == Fit::kLost) fit = fit_from_any({kHalf}, absorbed, wanted, 0, areas);
+  const bool fits = fit == Fit::kInRange;
   if (fits && sum(areas) <= limit + kOutside) return in_range(areas);
   // The other end of the curve, with as little ink as there can be, keeps the limit where any does.
   InkAreas least{};
   const double most = most_black(absorbed, wanted);
-  const bool ends = fit_from_any({kNone, fits ? areas : kHalf}, absorbed, wanted, most, least);
+  const bool ends = fit != Fit::kOutOfRange && fit_from_any({kNone, fits ? areas : kHalf}, absorbed,
+                                                            wanted, most, least) == Fit::kInRange;
   if (!ends || sum(least) > limit + kOutside) {
     areas = ends ? least : first;
     descend(absorbed, wanted, limit, areas);

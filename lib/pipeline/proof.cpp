@@ -1,8 +1,12 @@
 #include "tristim/pipeline/proof.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
 #include <vector>
 
+#include "lib/pipeline/printed_dots.h"
 #include "tristim/color/difference.h"
 #include "tristim/color/lab.h"
 #include "tristim/color/models.h"
@@ -54,25 +58,58 @@ class DecodingSink : public CodeSink {
   std::unique_ptr<RowSink> light_;
 };
 
+// Light of a device as 8-bit sRGB.
+class SrgbSink final : public RowSink {
+ public:
+  SrgbSink(const Display& display, CodeSink& sink)
+      : reducer_(Display{}, {}, 0),
+        to_primaries_(ConvertPrimaries{srgb_from(display.primaries, Adaptation::kBradford),
+                                       display.primaries, Primaries{}, Adaptation::kBradford}),
+        sink_(&sink) {}
+  void write(ImageView<const float> rows) override {
+    Image light(rows.width, rows.height, 3);
+    for (int y = 0; y < rows.height; ++y) {
+      std::ranges::copy(rows.row(y), light.view().row(y).begin());
+    }
+    StageCounts ignored;
+    apply(to_primaries_, {light.view()}, ignored);
+    Raster<std::uint16_t> srgb(rows.width, rows.height, 3);
+    reducer_.reduce({light.view()}, srgb.view());
+    sink_->write(srgb.view());
+  }
+  void finish() override { sink_->finish(); }
+
+ private:
+  Reducer reducer_;
+  Stage to_primaries_;
+  CodeSink* sink_;
+};
+
 }  // namespace
 
-ProofObserver::ProofObserver(const Display& display, CodeSink& sink)
-    : decoder_(display),
-      to_srgb_(Display{}, {}, 0),
-      to_srgb_primaries_(ConvertPrimaries{srgb_from(display.primaries, Adaptation::kBradford),
-                                          display.primaries, Primaries{}, Adaptation::kBradford}),
-      sink_(&sink) {}
+SeenDots seen_dots(const Display& display, const ReduceOptions& options) {
+  const bool dithered = !std::holds_alternative<NoDither>(options.dither);
+  const bool gains = display.press || (is_monochrome(display) && dithered);
+  SeenDots dots;
+  if (!display.dots || !gains) return dots;
+  dots.gain = display.dots->gain;
+  const ScreenParameters& screen = options.parameters.screen;
+  if (screen.dpi > 0) {
+    constexpr double kMostReach = 1000;
+    const double cell = screen.dpi / (screen.lpi > 0 ? screen.lpi : usual_lpi(screen.dpi));
+    dots.reach = std::max(dots.reach, static_cast<int>(std::ceil(std::min(cell, kMostReach))));
+  }
+  return dots;
+}
+
+ProofObserver::ProofObserver(const Display& display, CodeSink& sink, const SeenDots& dots)
+    : decode_(decoding_sink(display, std::make_unique<SrgbSink>(display, sink), dots)) {}
 
 void ProofObserver::seen(ImageView<const float> /*light*/, ImageView<const std::uint16_t> codes) {
-  Image light(codes.width, codes.height, 3);
-  decoder_.decode(codes, light.view());
-  StageCounts ignored;
-  apply(to_srgb_primaries_, {light.view(), y_}, ignored);
-  Raster<std::uint16_t> srgb(codes.width, codes.height, 3);
-  to_srgb_.reduce({light.view(), y_}, srgb.view());
-  sink_->write(srgb.view());
-  y_ += codes.height;
+  decode_->write(codes);
 }
+
+void ProofObserver::finish() { decode_->finish(); }
 
 DifferenceObserver::DifferenceObserver(const Primaries& picture, Adaptation adaptation,
                                        const Display& display, int scene_stages)
@@ -100,7 +137,11 @@ void DifferenceObserver::seen(ImageView<const float> light, ImageView<const std:
   pixels_ += static_cast<std::uint64_t>(codes.width) * static_cast<std::uint64_t>(codes.height);
 }
 
-std::unique_ptr<CodeSink> decoding_sink(const Display& display, std::unique_ptr<RowSink> light) {
+std::unique_ptr<CodeSink> decoding_sink(const Display& display, std::unique_ptr<RowSink> light,
+                                        const SeenDots& dots) {
+  if (!std::holds_alternative<NoGain>(dots.gain)) {
+    return std::make_unique<detail::PrintedDotsSink>(display, dots, std::move(light));
+  }
   return std::make_unique<DecodingSink>(display, std::move(light));
 }
 

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "tests/pipeline/pictures.h"
 #include "tristim/color/difference.h"
 #include "tristim/color/lab.h"
+#include "tristim/color/transfer.h"
 #include "tristim/core/find.h"
 #include "tristim/device/display_file.h"
+#include "tristim/pipeline/chain.h"
 
 namespace tristim {
 namespace {
@@ -25,11 +28,15 @@ double proofed(const Display& display, const Image& picture, std::string_view di
   ImageSource source(std::move(copy));
   const std::vector<Stage> stages{
       ConvertPrimaries{rgb_from_rgb(display.primaries, {}, Adaptation::kBradford)}, GamutMap{}};
-  Reducer reducer(display, {.dither = find_by_name(dither_methods(), dither)->method}, width);
-  ProofObserver proof_observer(display, proof);
+  Settings settings;
+  settings.dither = *find_by_name(dither_methods(), dither);
+  const ReduceOptions options = reduce_options(display, settings);
+  Reducer reducer(display, options, width);
+  ProofObserver proof_observer(display, proof, seen_dots(display, options));
   DifferenceObserver difference(Primaries{}, Adaptation::kBradford, display, 0);
   BandObserver* const observers[] = {&proof_observer, &difference};
   run(source, stages, reducer, codes, observers, {threads, 5});
+  proof_observer.finish();
   return difference.mean_ciede2000();
 }
 
@@ -64,6 +71,61 @@ TEST(Proof, OfAGreyDeviceIsGrey) {
   for (std::size_t i = 0; i < proof.codes.size(); i += 3) {
     EXPECT_EQ(proof.codes[i], proof.codes[i + 1]);
     EXPECT_EQ(proof.codes[i], proof.codes[i + 2]);
+  }
+}
+
+// Mean light of a proof in its middle, where no edge is near.
+Rgb proof_light(const CodeCollector& proof, int width) {
+  const int height = static_cast<int>(proof.codes.size()) / 3 / width;
+  Rgb sum;
+  int count = 0;
+  for (int y = height / 4; y < 3 * height / 4; ++y) {
+    for (int x = width / 4; x < 3 * width / 4; ++x, ++count) {
+      const std::uint16_t* p = &proof.codes[static_cast<std::size_t>(3 * (y * width + x))];
+      sum.r += srgb_decode(p[0] / 255.0);
+      sum.g += srgb_decode(p[1] / 255.0);
+      sum.b += srgb_decode(p[2] / 255.0);
+    }
+  }
+  return {sum.r / count, sum.g / count, sum.b / count};
+}
+
+// The dots are asked for less, and the proof shows the tone that they grow to.
+TEST(Proof, ShowsTheToneOfDotsThatGain) {
+  constexpr int kSide = 192;
+  const DotGain gains[] = {MurrayDaviesGain{0.14}, YuleNielsenGain{1.8, 0.02},
+                           MeasuredGain{{0, 0.4, 0.5, 1}, {0, 0.58, 0.7, 1}},
+                           MeasuredGain{{0, 0.5, 1}, {0, 0.4, 1}}};  // dots that shrink
+  Display laser = load_display("laser-300");
+  double worst = 0;  // of L*
+  for (const DotGain& gain : gains) {
+    laser.dots->gain = gain;
+    for (const char* dither : {"screen", "blue-noise", "floyd-steinberg"}) {
+      SCOPED_TRACE(dither + (": " + describe(gain)));
+      for (const float tone : {0.1F, 0.3F, 0.5F, 0.7F, 0.95F}) {
+        CodeCollector codes;
+        CodeCollector proof;
+        proofed(laser, flat_picture(kSide, kSide, tone, tone, tone), dither, codes, proof);
+        ASSERT_EQ(proof.codes.size(), std::size_t{3} * kSide * kSide);
+        const double shown = lstar_from_luminance(proof_light(proof, kSide).g);
+        worst = std::max(worst, std::fabs(shown - lstar_from_luminance(tone)));
+      }
+    }
+  }
+  // Largest measured: .53, of the screen, whose dots the middle of the picture cuts.
+  EXPECT_LT(worst, 0.7) << worst;
+}
+
+// What is far from dots is as bare, or as solid, as without gain.
+TEST(Proof, LeavesPaperAndSolidsAlone) {
+  Display laser = load_display("laser-300");
+  laser.dots->gain = MurrayDaviesGain{0.2};
+  for (const float tone : {0.0F, 1.0F}) {
+    CodeCollector codes;
+    CodeCollector proof;
+    proofed(laser, flat_picture(33, 9, tone, tone, tone), "clustered8", codes, proof);
+    EXPECT_EQ(proof.codes, std::vector<std::uint16_t>(std::size_t{3} * 33 * 9,
+                                                      static_cast<std::uint16_t>(tone * 255)));
   }
 }
 
@@ -114,6 +176,9 @@ struct SharedSink : RowSink {
   ImageSink& sink;
 };
 
+// Dots of several screens fall on one another by chance only on the whole of a page.
+constexpr double kPrintError = 0.01;
+
 TEST(DecodingSink, WritesTheLightOfTheCodes) {
   const Display vga = load_display("vga16");
   ImageSink light(3, 2, 3);
@@ -128,6 +193,34 @@ TEST(DecodingSink, WritesTheLightOfTheCodes) {
   EXPECT_NEAR(view.pixel(2, 1)[0], 0.40198F, 1e-5);  // 170/255 of the sRGB curve
   EXPECT_NEAR(view.pixel(2, 1)[1], 0.09084F, 1e-5);  // 85/255
   EXPECT_NEAR(view.pixel(0, 1)[2], 0, 1e-6);
+}
+
+// Inks as light, where no code clips what sRGB has not.
+TEST(DecodingSink, WritesTheLightOfInksThatGain) {
+  constexpr int kSide = 384;
+  const Display press = load_display("offset-cmyk");
+  const Rgb black = darkest_print(*press.press);
+  const ReduceOptions options = reduce_options(press, {});
+  for (const Rgb& light : {Rgb{0.2, 0.2, 0.2}, Rgb{0.5, 0.4, 0.3}, Rgb{0.3, 0.5, 0.6}}) {
+    Reducer reducer(press, options, kSide);
+    ImageSink shown(kSide, kSide, 3);
+    const auto sink =
+        decoding_sink(press, std::make_unique<SharedSink>(shown), seen_dots(press, options));
+    ImageSource source(flat_picture(kSide, kSide, static_cast<float>(light.r),
+                                    static_cast<float>(light.g), static_cast<float>(light.b)));
+    run(source, {}, reducer, *sink);
+    sink->finish();
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) {
+        const float* p = shown.image().view().pixel(x, y);
+        mean += Eigen::Vector3d(p[0], p[1], p[2]) / (kSide * kSide);
+      }
+    }
+    EXPECT_NEAR(mean[0], black.r + (1 - black.r) * light.r, kPrintError);
+    EXPECT_NEAR(mean[1], black.g + (1 - black.g) * light.g, kPrintError);
+    EXPECT_NEAR(mean[2], black.b + (1 - black.b) * light.b, kPrintError);
+  }
 }
 
 }  // namespace

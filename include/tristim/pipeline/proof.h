@@ -7,20 +7,32 @@
 
 namespace tristim {
 
+/// What becomes of dots on paper, for proofs.
+struct SeenDots {
+  DotGain gain;   // NoGain: the dots are seen as they are
+  int reach = 8;  // pixels from one in which its area is counted: about a cell of the screen
+};
+
+/// The gain that a dither has to reckon with on a display of dots: of the inks of a press and of
+/// greys that are dithered. The reach is of the screen that the options tell.
+SeenDots seen_dots(const Display& display, const ReduceOptions& options);
+
 /// A proof: codes decoded back to light through the device model, as 8-bit sRGB into a sink.
+///
+/// Where dots gain, the paper between them takes as much of the ink as makes the tone around each
+/// pixel what comes out on paper [Yule51]; then a row is written when those below it have come.
 class ProofObserver : public BandObserver {
  public:
   /// `sink` takes rgb888 rows and outlives this.
-  ProofObserver(const Display& display, CodeSink& sink);
+  ProofObserver(const Display& display, CodeSink& sink, const SeenDots& dots = {});
   int light_after() const noexcept override { return -1; }
   void seen(ImageView<const float> light, ImageView<const std::uint16_t> codes) override;
 
+  /// After the last band: writes what is left and finishes the sink.
+  void finish();
+
  private:
-  Decoder decoder_;
-  Reducer to_srgb_;
-  Stage to_srgb_primaries_;
-  CodeSink* sink_;
-  int y_ = 0;
+  std::unique_ptr<CodeSink> decode_;
 };
 
 /// Measures what the device shows against what was asked for: CIEDE2000 of each pixel, both as sRGB
@@ -48,7 +60,8 @@ class DifferenceObserver : public BandObserver {
 };
 
 /// A sink of codes that writes their light, linear and relative to the device's white, in the
-/// device's primaries.
-std::unique_ptr<CodeSink> decoding_sink(const Display& display, std::unique_ptr<RowSink> light);
+/// device's primaries; of dots that gain as proofs do.
+std::unique_ptr<CodeSink> decoding_sink(const Display& display, std::unique_ptr<RowSink> light,
+                                        const SeenDots& dots = {});
 
 }  // namespace tristim
