@@ -5,6 +5,7 @@
 #include <zlib.h>
 
 #include <array>
+#include <bit>
 #include <numeric>
 #include <random>
 
@@ -75,8 +76,23 @@ TEST(RunLengthDeflate, StreamsCanBeJoined) {
   EXPECT_EQ(inflated(stream, both.size()), both);
 }
 
+/// As a filter leaves them: small differences of both signs, and flat places.
+Bytes differences(std::size_t size, unsigned seed) {
+  std::mt19937 random(seed);
+  Bytes bytes;
+  while (bytes.size() < size) {
+    for (int i = 0; i < 200; ++i) {
+      const auto magnitude = static_cast<std::uint8_t>(std::countr_zero(random() | 0x80000000U));
+      bytes.push_back(random() % 2 == 0 ? magnitude : static_cast<std::uint8_t>(-magnitude));
+    }
+    bytes.insert(bytes.end(), random() % 200, 0);
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
 TEST(RunLengthDeflate, IsNotLargerThanZlibsRuns) {
-  const Bytes bytes = with_runs(200000, 40, 3, 5);
+  const Bytes bytes = differences(200000, 5);
   Bytes peer(compressBound(static_cast<uLong>(bytes.size())));
   z_stream z{};
   deflateInit2(&z, 9, Z_DEFLATED, -15, 9, Z_RLE);
@@ -87,8 +103,7 @@ TEST(RunLengthDeflate, IsNotLargerThanZlibsRuns) {
   deflate(&z, Z_FINISH);
   const std::size_t peer_size = z.total_out;
   deflateEnd(&z);
-  EXPECT_LE(static_cast<double>(detail::run_length_deflated(bytes, true).size()),
-            1.01 * static_cast<double>(peer_size));
+  EXPECT_LE(detail::run_length_deflated(bytes, true).size(), peer_size);
 }
 
 RC_GTEST_PROP(RunLengthDeflate, AnyBytesComeBack, (const Bytes& bytes)) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 
+#include "lib/frame/io/byte_runs.h"
 #include "lib/frame/io/huffman.h"
 
 namespace tristim::detail {
@@ -14,15 +15,11 @@ namespace {
 constexpr std::size_t kEndOfBlock = 256;
 constexpr std::size_t kLengthSymbols = 257;  // the first of them
 constexpr std::size_t kSymbols = 286;
-constexpr std::size_t kShortestRun = 3;
-constexpr std::size_t kLongestRun = 258;
-constexpr int kLongestCode = 15;
+constexpr std::size_t kShortestRun = 3;  // that has a symbol
+constexpr int kLongestCode = 14;         // of 15 that there may be: four of them fit into 56 bits
 constexpr int kLongestLengthCode = 7;
 constexpr std::array<std::uint8_t, 19> kLengthCodeOrder = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                                            11, 4,  12, 3, 13, 2, 14, 1, 15};
-
-// Bytes that share a code: small enough to follow the picture, large enough to pay for the code.
-constexpr std::size_t kBlockBytes = std::size_t{64} << 10;
 
 /// The symbol of a run's length and the bits behind it.
 struct RunSymbol {
@@ -32,7 +29,7 @@ struct RunSymbol {
 };
 
 RunSymbol run_symbol(std::size_t length) noexcept {
-  if (length == kLongestRun) return {kSymbols - 1, 0, 0};
+  if (length == ByteRuns::kLongest) return {kSymbols - 1, 0, 0};
   const auto past = static_cast<unsigned>(length - kShortestRun);
   if (past < 4) return {static_cast<std::uint16_t>(kLengthSymbols + past), 0, 0};
   const auto bits = static_cast<unsigned>(std::bit_width(past)) - 3;
@@ -86,72 +83,25 @@ class BitWriter {
   unsigned held_count_ = 0;
 };
 
-std::uint64_t load8(const std::uint8_t* bytes) noexcept {
-  std::uint64_t value = 0;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
-}
-
-/// Whether a run of three or more may begin at one of the six bytes from `at` on: eight follow, and
-/// one is before.
-bool run_near(const std::uint8_t* at) noexcept {
-  constexpr std::uint64_t kLow7 = 0x7f7f7f7f7f7f7f7f;
-  const std::uint64_t change = load8(at) ^ load8(at - 1);
-  const std::uint64_t same = ~(((change & kLow7) + kLow7) | change | kLow7);  // bit 7 of each
-  return (same & same >> 8 & same >> 16) != 0;
-}
-
-/// How many of the `most` bytes from `at` on are as the one before.
-std::size_t run_length(const std::uint8_t* at, std::size_t most) noexcept {
-  const std::uint64_t before = 0x0101010101010101 * at[-1];
-  std::size_t length = 0;
-  if constexpr (std::endian::native == std::endian::little) {
-    for (; length + 8 <= most; length += 8) {
-      const std::uint64_t change = load8(at + length) ^ before;
-      if (change != 0) return length + static_cast<std::size_t>(std::countr_zero(change)) / 8;
-    }
-  }
-  while (length < most && at[length] == at[-1]) ++length;
-  return length;
-}
-
-/// Calls `literals(first, count)` and `run(length)` for all bytes of [begin, end); runs repeat the
-/// byte before them. `all` is where the stream begins.
-template <typename Literals, typename Run>
-void each_token(std::span<const std::uint8_t> all, std::size_t begin, std::size_t end,
-                Literals&& literals, Run&& run) {
-  constexpr std::size_t kTogether = 6;
-  const std::uint8_t* bytes = all.data();
-  std::size_t at = begin;
-  if (at == 0 && at < end) literals(at++, 1U);
-  while (at < end) {
-    if (at + 8 <= end && !run_near(bytes + at)) {
-      literals(at, kTogether);
-      at += kTogether;
-      continue;
-    }
-    const std::size_t length = run_length(bytes + at, std::min(end - at, kLongestRun));
-    if (length >= kShortestRun) {
-      run(length);
-      at += length;
-    } else {
-      literals(at++, 1U);
-    }
-  }
-}
-
 using Counts = std::array<std::uint32_t, kSymbols>;
 
-Counts count_symbols(std::span<const std::uint8_t> all, std::size_t begin, std::size_t end) {
+/// Of literals, runs and the end of the block.
+Counts count_symbols(std::span<const std::uint8_t> block, std::span<const ByteRun> runs) {
   // Four of them: the next byte is often the same, and would wait for its own count.
   std::array<Counts, 4> part{};
-  const auto literals = [&](std::size_t first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) ++part[i % 4][all[first + i]];
-  };
-  each_token(all, begin, end, literals,
-             [&](std::size_t length) { ++part[0][run_symbol(length).symbol]; });
+  std::size_t i = 0;
+  for (; i + 8 <= block.size(); i += 8) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, block.data() + i, sizeof eight);
+    for (unsigned byte = 0; byte < 8; ++byte) ++part[byte % 4][eight >> 8 * byte & 0xff];
+  }
+  for (; i < block.size(); ++i) ++part[0][block[i]];
   Counts total = part[0];
-  for (std::size_t i = 0; i < kSymbols; ++i) total[i] += part[1][i] + part[2][i] + part[3][i];
+  for (std::size_t k = 0; k < kSymbols; ++k) total[k] += part[1][k] + part[2][k] + part[3][k];
+  for (const ByteRun& run : runs) {
+    total[block[run.begin]] -= run.length;
+    ++total[run_symbol(run.length).symbol];
+  }
   ++total[kEndOfBlock];
   return total;
 }
@@ -231,13 +181,34 @@ void put_codes(BitWriter& out, std::span<const std::uint8_t> symbol_length, bool
   }
 }
 
-void put_block(BitWriter& to, std::span<const std::uint8_t> all, std::size_t begin, std::size_t end,
+using Codes = std::array<Code, kSymbols>;
+
+void put_literals(BitWriter& out, const Codes& code, std::span<const std::uint8_t> bytes) {
+  static_assert(4 * kLongestCode <= 56);
+  std::size_t i = 0;
+  for (; i + 4 <= bytes.size(); i += 4) {
+    for (std::size_t k = 0; k < 4; ++k) out.put(code[bytes[i + k]].bits, code[bytes[i + k]].count);
+    out.flush();
+  }
+  for (; i < bytes.size(); ++i) out.put(code[bytes[i]].bits, code[bytes[i]].count);
+  out.flush();
+}
+
+void put_run(BitWriter& out, const Codes& code, std::size_t length) {
+  const RunSymbol symbol = run_symbol(length);
+  out.put(code[symbol.symbol].bits, code[symbol.symbol].count);
+  out.put(symbol.extra, symbol.extra_bits);
+  out.put(0, 1);  // the one distance
+  out.flush();
+}
+
+void put_block(BitWriter& to, std::span<const std::uint8_t> block, std::span<const ByteRun> runs,
                bool last) {
   BitWriter out = to;  // in registers
-  const Counts count = count_symbols(all, begin, end);
+  const Counts count = count_symbols(block, runs);
   std::array<std::uint8_t, kSymbols> length{};
   code_lengths(count, kLongestCode, length);
-  const auto code = code_of(length);
+  const Codes code = code_of(length);
   std::size_t used = kSymbols;
   while (used > kLengthSymbols && length[used - 1] == 0) --used;
 
@@ -249,21 +220,13 @@ void put_block(BitWriter& to, std::span<const std::uint8_t> all, std::size_t beg
   }
   out.reserve_bits(bits);
   put_codes(out, std::span(length).first(used), last);
-  static_assert(3 * kLongestCode <= 56);
-  const auto literals = [&](std::size_t first, std::size_t number) {
-    for (std::size_t i = 0; i < number; ++i) {
-      const Code literal = code[all[first + i]];
-      out.put(literal.bits, literal.count);
-      if (i % 3 == 2 || i + 1 == number) out.flush();
-    }
-  };
-  each_token(all, begin, end, literals, [&](std::size_t run) {
-    const RunSymbol symbol = run_symbol(run);
-    out.put(code[symbol.symbol].bits, code[symbol.symbol].count);
-    out.put(symbol.extra, symbol.extra_bits);
-    out.put(0, 1);  // the one distance
-    out.flush();
-  });
+  std::size_t at = 0;
+  for (const ByteRun& run : runs) {
+    put_literals(out, code, block.subspan(at, run.begin - at));
+    put_run(out, code, run.length);
+    at = run.begin + run.length;
+  }
+  put_literals(out, code, block.subspan(at));
   out.put(code[kEndOfBlock].bits, code[kEndOfBlock].count);
   out.flush();
   to = out;
@@ -274,10 +237,12 @@ void put_block(BitWriter& to, std::span<const std::uint8_t> all, std::size_t beg
 std::vector<std::uint8_t> run_length_deflated(std::span<const std::uint8_t> bytes, bool last) {
   std::vector<std::uint8_t> result;
   BitWriter out(result);
+  ByteRuns runs;
   std::size_t begin = 0;
   do {
-    const std::size_t end = std::min(begin + kBlockBytes, bytes.size());
-    put_block(out, bytes, begin, end, last && end == bytes.size());
+    const std::size_t end = std::min(begin + ByteRuns::kBlockBytes, bytes.size());
+    put_block(out, bytes.subspan(begin, end - begin), runs.find(bytes, begin, end),
+              last && end == bytes.size());
     begin = end;
   } while (begin < bytes.size());
   out.reserve_bits(64);
