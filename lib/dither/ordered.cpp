@@ -12,7 +12,7 @@ struct OrderedDither::State {
   const detail::OrderedKernels* kernels;
   ThresholdMatrix tile;  // without its ranks
   std::size_t period, stride;
-  std::vector<std::uint16_t> rank;  // rows as OrderedRow wants them
+  std::vector<float> least;  // rows as OrderedRow wants them
 
   State(const MixLevels& mix, const ThresholdMatrix& matrix)
       : levels(mix, matrix.ranks),
@@ -22,15 +22,15 @@ struct OrderedDither::State {
     const auto width = static_cast<std::size_t>(matrix.width);
     period = (detail::kMostLanes + width - 1) / width * width;
     stride = period + detail::kMostLanes;
-    rank.reserve(static_cast<std::size_t>(matrix.height) * stride);
+    least.reserve(static_cast<std::size_t>(matrix.height) * stride);
     for (int y = 0; y < matrix.height; ++y) {
-      for (std::size_t i = 0; i < stride; ++i) rank.push_back(matrix.row(y)[i % width]);
+      for (std::size_t i = 0; i < stride; ++i) least.push_back(matrix.row(y)[i % width] + 0.5F);
     }
   }
 
   detail::OrderedRow row(int y) const noexcept {
     const auto tile_row = static_cast<std::size_t>(y % tile.height);
-    return {&levels, rank.data() + tile_row * stride, period,
+    return {&levels, least.data() + tile_row * stride, period,
             static_cast<std::size_t>(tile.column(y))};
   }
 };

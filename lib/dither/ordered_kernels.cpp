@@ -68,7 +68,7 @@ std::uint16_t ordered_code(const OrderedRow& row, std::size_t column, float ligh
   const OrderedLevels& levels = *row.levels;
   const Mixing mix = mixing(levels, light);
   // floor(steps + 1/2) > rank without the call that floor is on old processors
-  float least = static_cast<float>(row.rank[column]) + 0.5F;
+  float least = row.least[column];
   const float middle = levels.ranks * 0.5F;
   if (strength != nullptr) least = middle + (least - middle) * *strength;
   return static_cast<std::uint16_t>(levels.codes[mix.lower + (mix.steps >= least ? 1U : 0U)]);

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "lib/dither/level_guess.h"
 #include "tristim/dither/levels.h"
 
 namespace tristim::detail {
@@ -44,6 +46,7 @@ struct OrderedLevels {
   int shift = 0;               // bits of a float that tell nothing about the bin
   std::int32_t first_bin = 0;  // the others, of bins[0], which reaches down to the lowest level
   LevelSearch search;
+  std::optional<LevelGuess> guess;  // of the level taken, where they lie on a curve; kBins alone
 
   std::vector<std::int32_t> codes;
   bool codes_count = false;  // codes[i] is codes[0] + i
@@ -57,10 +60,10 @@ inline constexpr std::size_t kMostLanes = 64;  // floats of a vector
 /// One row of one channel.
 struct OrderedRow {
   const OrderedLevels* levels = nullptr;
-  const std::uint16_t* rank = nullptr;  // `period` of them, and their beginning once more for
-                                        // kMostLanes
-  std::size_t period = 0;               // a multiple of the matrix's width, at least kMostLanes
-  std::size_t column = 0;               // of the first pixel, below the period
+  const float* least = nullptr;  // ranks above the lower level that take the upper one: rank + 1/2;
+                                 // `period` of them, and their beginning once more for kMostLanes
+  std::size_t period = 0;        // a multiple of the matrix's width, at least kMostLanes
+  std::size_t column = 0;        // of the first pixel, below the period
 };
 
 /// The rows in one instruction set; all of them give the same codes.

@@ -38,8 +38,15 @@ using Float = hn::Vec<Floats>;
 using Word = hn::Vec<Words>;
 
 // As the scalar code's comparisons: the second where one of them is NaN.
+#if HWY_ARCH_X86  // one instruction
+HWY_INLINE Float larger(Float a, Float b) { return hn::Max(a, b); }
+HWY_INLINE Float smaller(Float a, Float b) { return hn::Min(a, b); }
+#else
 HWY_INLINE Float larger(Float a, Float b) { return hn::IfThenElse(a > b, a, b); }
 HWY_INLINE Float smaller(Float a, Float b) { return hn::IfThenElse(a < b, a, b); }
+#endif
+
+#include "lib/dither/level_guess-inl.h"
 
 struct Mixing {
   Word lower;
@@ -123,16 +130,44 @@ struct LevelsInBins {
   }
 };
 
+// The level taken of the two that a light is mixed of.
+template <class Find>
+struct Mixed {
+  Find find;
+  const OrderedLevels* levels = find.levels;
+  HWY_INLINE Word operator()(Float light, Float least) const {
+    const Mixing mix = find(light);
+    return mix.lower - hn::VecFromMask(Words(), hn::RebindMask(Words(), mix.steps >= least));
+  }
+};
+
+#if TRISTIM_GUESSES
+template <bool kOctaves>
+struct GuessedFirst {
+  const OrderedLevels* levels;
+  Mixed<LevelsInBins> exact{{levels}};
+  GuessedCounts<kOctaves, true> guess{*levels->guess};
+  HWY_INLINE Word operator()(Float light, Float least) const {
+    const Floats f;
+    const Float held =
+        smaller(larger(light, hn::Set(f, levels->lowest)), hn::Set(f, levels->guess->highest));
+    Word level;
+    const Float fraction = least * hn::Set(f, 1 / levels->ranks);
+    return HWY_LIKELY(guess(held, level, fraction)) ? level : exact(light, least);
+  }
+};
+#endif
+
 // Goes round a row of the matrix.
 class Leasts {
  public:
   explicit Leasts(const OrderedRow& row) : row_(&row), column_(row.column) {}
 
   HWY_INLINE Float next() {
-    const auto rank = hn::PromoteTo(Words(), hn::LoadU(Codes(), row_->rank + column_));
+    const auto least = hn::LoadU(Floats(), row_->least + column_);
     column_ += hn::Lanes(Floats());
     if (column_ >= row_->period) column_ -= row_->period;
-    return hn::ConvertTo(Floats(), rank) + hn::Set(Floats(), 0.5F);
+    return least;
   }
 
  private:
@@ -144,12 +179,17 @@ HWY_INLINE Float drawn_to_middle(Float least, Float middle, Float strength) {
   return middle + (least - middle) * strength;
 }
 
+// Of levels in the last 16 bits.
 HWY_INLINE hn::Vec<Codes> codes_of(const OrderedLevels& levels, Word level) {
   const Words w;
+  const auto last_bits = [](Word word) {
+    return hn::TruncateTo(Codes(), hn::BitCast(Bits(), word));
+  };
   const std::int32_t* codes = levels.codes.data();
-  const Word code =
-      levels.codes_count ? level + hn::Set(w, codes[0]) : hn::GatherIndex(w, codes, level);
-  return hn::DemoteTo(Codes(), code);
+  if (levels.codes_count) {
+    return last_bits(level) + hn::Set(Codes(), static_cast<std::uint16_t>(codes[0]));
+  }
+  return last_bits(hn::GatherIndex(w, codes, hn::And(level, hn::Set(w, 0xFFFF))));
 }
 
 // One vector of pixels. `strength` may be null.
@@ -162,9 +202,7 @@ HWY_INLINE void reduce(Find find, Leasts& leasts, const float* in, const float* 
   if (strength != nullptr) {
     least = drawn_to_middle(least, hn::Set(f, levels.ranks * 0.5F), hn::LoadU(f, strength));
   }
-  const Mixing mix = find(hn::LoadU(f, in));
-  const Word upper = hn::VecFromMask(Words(), hn::RebindMask(Words(), mix.steps >= least));
-  hn::StoreU(codes_of(levels, mix.lower - upper), Codes(), out);
+  hn::StoreU(codes_of(levels, find(hn::LoadU(f, in), least)), Codes(), out);
 }
 
 template <class Find>
@@ -191,15 +229,21 @@ void reduce_row(Find find, const OrderedRow& row, const float* in, const float* 
 
 void grey(const OrderedRow& row, const float* in, const float* strength, std::size_t count,
           std::uint16_t* out) {
-  switch (row.levels->way) {
+  const OrderedLevels* levels = row.levels;
+  const auto by = [&](auto find) { reduce_row(find, row, in, strength, count, out); };
+#if TRISTIM_GUESSES
+  if (levels->guess && levels->guess->octaves()) return by(GuessedFirst<true>{levels});
+  if (levels->guess) return by(GuessedFirst<false>{levels});
+#endif
+  switch (levels->way) {
     case LevelsWay::kTwo:
-      return reduce_row(TwoLevels{row.levels}, row, in, strength, count, out);
+      return by(Mixed<TwoLevels>{{levels}});
     case LevelsWay::kEven:
-      return reduce_row(EvenLevels{row.levels}, row, in, strength, count, out);
+      return by(Mixed<EvenLevels>{{levels}});
     case LevelsWay::kFew:
-      return reduce_row(FewLevels{row.levels}, row, in, strength, count, out);
+      return by(Mixed<FewLevels>{{levels}});
     case LevelsWay::kBins:
-      return reduce_row(LevelsInBins{row.levels}, row, in, strength, count, out);
+      return by(Mixed<LevelsInBins>{{levels}});
     case LevelsWay::kSearch:
       return scalar_ordered_kernels().grey(row, in, strength, count, out);
   }

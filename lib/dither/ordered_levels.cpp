@@ -62,7 +62,9 @@ OrderedLevels::OrderedLevels(const MixLevels& mix, int matrix_ranks)
   } else if (mix.light[1] > 0) {
     int bin_shift = kCoarsestShift;
     while (bin_shift >= kFinestShift && !make_bins(bin_shift)) --bin_shift;
-    if (!bins.empty()) way = LevelsWay::kBins;
+    if (bins.empty()) return;
+    way = LevelsWay::kBins;
+    guess = guess_between(mix.light);
   }
 }
 

@@ -74,7 +74,9 @@ std::optional<StepTable> step_table(std::span<const float> threshold,
     table.codes_count = table.codes_count && code[i] == code[0] + i;
   }
   for (int shift = kCoarsestShift; shift >= kFinestShift; --shift) {
-    if (set_up(threshold, shift, table)) return table;
+    if (!set_up(threshold, shift, table)) continue;
+    table.guess = guess_thresholds(threshold);
+    return table;
   }
   return std::nullopt;
 }

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/dither/level_guess.h"
+
 namespace tristim::detail {
 
 /// The code of every float, in one look-up and one addition. A float's leading bits choose an
@@ -20,6 +22,7 @@ struct StepTable {
   std::vector<std::uint32_t> entry;
   std::vector<std::int32_t> codes;  // by count
   bool codes_count = false;         // codes[i] is codes[0] + i
+  std::optional<LevelGuess> guess;  // of the count, where the thresholds lie on a curve
 
   /// NaN counts as below all thresholds.
   std::uint16_t operator()(float value) const noexcept;

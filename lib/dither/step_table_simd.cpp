@@ -27,6 +27,8 @@ using Words = hn::RebindToSigned<Floats>;
 using Bits = hn::RebindToUnsigned<Floats>;
 using Codes = hn::Rebind<std::uint16_t, Floats>;
 
+#include "lib/dither/level_guess-inl.h"
+
 HWY_INLINE hn::Vec<Words> counts(const StepTable& table, const float* in) {
   const Words w;
   const auto light = hn::LoadU(Floats(), in);
@@ -41,23 +43,60 @@ HWY_INLINE hn::Vec<Words> counts(const StepTable& table, const float* in) {
   return hn::BitCast(w, hn::ShiftRightSame(sum, table.shift));
 }
 
-template <bool kCodesCount>
-void codes_of_row(const StepTable& table, const float* in, std::size_t count, std::uint16_t* out) {
+struct LookedUp {
+  const StepTable* table;
+  HWY_INLINE hn::Vec<Words> operator()(const float* in) const { return counts(*table, in); }
+};
+
+#if TRISTIM_GUESSES
+template <bool kOctaves>
+struct GuessedFirst {
+  const StepTable* table;
+  GuessedCounts<kOctaves, false> guess{*table->guess};
+  HWY_INLINE hn::Vec<Words> operator()(const float* in) const {
+    const Floats f;
+    const auto held = hn::Max(hn::LoadU(f, in), hn::Zero(f));  // NaN: 0
+    hn::Vec<Words> found;
+    const auto light = hn::Min(held, hn::Set(f, table->guess->highest));
+    return HWY_LIKELY(guess(light, found)) ? found : counts(*table, in);
+  }
+};
+#endif
+
+template <bool kCodesCount, class Find>
+HWY_INLINE void codes_of_row(const StepTable& table, Find find, const float* in, std::size_t count,
+                             std::uint16_t* out) {
   const std::size_t lanes = hn::Lanes(Floats());
-  const auto first = hn::Set(Words(), table.codes[0]);
+  const auto first = hn::Set(Codes(), static_cast<std::uint16_t>(table.codes[0]));
+  const auto last_bits = [](hn::Vec<Words> word) {
+    return hn::TruncateTo(Codes(), hn::BitCast(Bits(), word));
+  };
   std::size_t x = 0;
   for (; x + lanes <= count; x += lanes) {
-    const auto found = counts(table, in + x);
-    const auto code =
-        kCodesCount ? found + first : hn::GatherIndex(Words(), table.codes.data(), found);
-    hn::StoreU(hn::DemoteTo(Codes(), code), Codes(), out + x);
+    const auto found = find(in + x);
+    const auto low = hn::And(found, hn::Set(Words(), 0xFFFF));
+    const auto code = kCodesCount ? last_bits(found) + first
+                                  : last_bits(hn::GatherIndex(Words(), table.codes.data(), low));
+    hn::StoreU(code, Codes(), out + x);
   }
   for (; x < count; ++x) out[x] = table(in[x]);
 }
 
+template <class Find>
+void row_by(const StepTable& table, Find find, const float* in, std::size_t count,
+            std::uint16_t* out) {
+  if (table.codes_count) return codes_of_row<true>(table, find, in, count, out);
+  codes_of_row<false>(table, find, in, count, out);
+}
+
 void row(const StepTable& table, const float* in, std::size_t count, std::uint16_t* out) {
-  const auto kernel = table.codes_count ? codes_of_row<true> : codes_of_row<false>;
-  kernel(table, in, count, out);
+#if TRISTIM_GUESSES
+  if (table.guess) {
+    if (table.guess->octaves()) return row_by(table, GuessedFirst<true>{&table}, in, count, out);
+    return row_by(table, GuessedFirst<false>{&table}, in, count, out);
+  }
+#endif
+  row_by(table, LookedUp{&table}, in, count, out);
 }
 
 StepKernel vector_kernel() { return {hwy::TargetName(HWY_TARGET), row}; }

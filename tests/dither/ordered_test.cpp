@@ -66,12 +66,12 @@ TEST(OrderedKernels, AllInstructionSetsGiveTheSameCodes) {
       SCOPED_TRACE(std::string(name) + " " + recipe);
       const ThresholdMatrix matrix = make_matrix(*find_matrix_recipe(recipe));
       const detail::OrderedLevels scale(levels, matrix.ranks);
-      Codes rank;
+      std::vector<float> least;
       const std::size_t period = static_cast<std::size_t>(matrix.width) * 64;
       for (std::size_t i = 0; i < period + detail::kMostLanes; ++i) {
-        rank.push_back(matrix.row(1)[i % static_cast<std::size_t>(matrix.width)]);
+        least.push_back(matrix.row(1)[i % static_cast<std::size_t>(matrix.width)] + 0.5F);
       }
-      const detail::OrderedRow row{&scale, rank.data(), period, 5};
+      const detail::OrderedRow row{&scale, least.data(), period, 5};
       for (const std::size_t size : {1, 7, 61, 4003}) {
         const std::vector<float> in = hard_row(levels, 3 * size);
         std::vector<float> strength(size);
