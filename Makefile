@@ -1,4 +1,5 @@
 # The set-up of a machine, then CMake; `make test SETUP=:` leaves the machine's packages alone.
+# `make bench BENCH=--quick` has options for bench/table.py.
 SETUP ?= tools/setup.sh
 BUILD := build/release
 
@@ -13,9 +14,8 @@ test: setup
 	@tests/run.sh release
 
 bench: configure
-	cmake --build --preset release
 	cmake --build --preset release --target bench
-	bench/commands.py $(BUILD)/bin/tristim
+	bench/table.py $(BUILD)/bin/tristim $(BENCH)
 
 format: setup
 	tests/lint/format.sh --fix

@@ -3,6 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -59,6 +61,15 @@ inline MixLevels levels(int bits, bool srgb = true) {
     made.code.push_back(static_cast<std::uint16_t>(i));
   }
   return made;
+}
+
+/// Codes of 8 bits of a stand-in for a photograph, before its noise: smooth light.
+inline std::array<double, 3> photograph(int x, int y) {
+  const double u = x / 600.0;
+  const double v = y / 500.0;
+  const double light = 110 + 80 * std::sin(u) * std::cos(v + u / 3) + 30 * std::sin(7 * v);
+  return {light + 40 * std::sin(v * 1.3), light + 10 * std::sin(u + v),
+          light + 50 * std::cos(u * 0.7)};
 }
 
 /// Runs part(first, count) on all of `height` rows, shared out among `threads`.

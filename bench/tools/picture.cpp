@@ -1,0 +1,87 @@
+// picture WIDTHxHEIGHT OUT.exr: what the commands of bench/table.py read, half floats of linear
+// light, zip.
+//
+// Smooth light with the noise of a photograph, about 3 bits a sample in a PNG of 8 bits; larger
+// pictures repeat the first 3840x2160 pixels.
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <exception>
+#include <random>
+#include <string_view>
+
+#include "bench/pictures.h"
+#include "tristim/image/io/exr.h"
+
+namespace tristim::bench {
+namespace {
+
+constexpr int kParts = 16;  // of a code
+
+std::vector<float> light_of_parts() {
+  std::vector<float> light;
+  for (int i = 0; i <= 255 * kParts; ++i) {
+    light.push_back(static_cast<float>(srgb_decode(i / (255.0 * kParts))));
+  }
+  return light;
+}
+
+Image photograph_light() {
+  const std::vector<float> decoded = light_of_parts();
+  Image light(kWidth, kHeight, 3);
+  std::mt19937 random(1);
+  std::normal_distribution<double> grain(0, 1.5);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const std::array<double, 3> codes = photograph(x, y);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double code = std::clamp(codes[c] + grain(random), 0.0, 255.0);
+        light.view().pixel(x, y)[c] = decoded[static_cast<std::size_t>(code * kParts)];
+      }
+    }
+  }
+  return light;
+}
+
+void write_picture(int width, int height, const char* path) {
+  const Image tile = photograph_light();
+  const std::unique_ptr<RowSink> sink =
+      open_exr_sink(path, {.width = width, .height = height}, {.replace = true});
+  Image row(width, 1, 3);
+  for (int y = 0; y < height; ++y) {
+    const std::span<const float> from = tile.view().row(y % kHeight);
+    const std::span<float> to = row.view().row(0);
+    for (std::size_t i = 0; i < to.size(); i += from.size()) {
+      std::copy_n(from.data(), std::min(from.size(), to.size() - i), to.data() + i);
+    }
+    sink->write(row.view());
+  }
+  sink->finish();
+}
+
+// The two numbers of WIDTHxHEIGHT; false for anything else.
+bool read_size(std::string_view text, int& width, int& height) {
+  const char* end = text.data() + text.size();
+  const std::from_chars_result first = std::from_chars(text.data(), end, width);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return false;
+  const std::from_chars_result second = std::from_chars(first.ptr + 1, end, height);
+  return second.ec == std::errc() && second.ptr == end && width > 0 && height > 0;
+}
+
+}  // namespace
+}  // namespace tristim::bench
+
+int main(int count, char** arguments) {
+  int width = 0;
+  int height = 0;
+  if (count != 3 || !tristim::bench::read_size(arguments[1], width, height)) {
+    std::fputs("usage: picture WIDTHxHEIGHT OUT.exr\n", stderr);
+    return 2;
+  }
+  try {
+    tristim::bench::write_picture(width, height, arguments[2]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "picture: %s\n", error.what());
+    return 1;
+  }
+}
