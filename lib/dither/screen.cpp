@@ -19,6 +19,8 @@ constexpr double kGoodError = 1e-3;  // of the frequency's vector: what a larger
 // Sides of supercells, in dots: 65536 dots, a rank for each; finer; and where the last corner is
 // half a dot off at most, atan(.5 / 574) = .05 degree.
 constexpr double kSides[] = {256, 512, 640};
+// Of a supercell, in dots: tiles that repeat sooner show their repetition in the tones of an area.
+constexpr double kLeastSide = 128;
 
 struct Corner {
   int a = 0, b = 0, cells = 0;
@@ -65,7 +67,7 @@ Corner best_supercell(double side, double angle_deg, detail::SineCosine directio
   Corner best{.error = 1e9};
   for (int cells = 1; cells == 1 || cells * side <= most; ++cells) {
     corners(cells, side, direction, [&](const Corner& corner) {
-      const bool tones = cells * side >= 64 || 2 * cells * side > most;
+      const bool tones = cells * side >= kLeastSide || 2 * cells * side > most;
       if (!tones || corner.error >= best.error) return;
       if (angle_error_deg(corner.a, corner.b, angle_deg) <= kAngleDeg) best = corner;
     });

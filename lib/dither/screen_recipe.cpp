@@ -1,6 +1,7 @@
 #include "tristim/dither/screen_recipe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <stdexcept>
@@ -10,14 +11,18 @@ namespace tristim {
 namespace {
 
 constexpr double kUsualDpi = 600;
-constexpr double kUsualCell = 7;  // dots a side
+constexpr double kLeastUsualStep = 4;  // dots from one row of cells at 45 degrees to the next
 constexpr double kMostUsualLpi = 150;
 constexpr double kUsualAngles[] = {15, 75, 0, 45};
 constexpr double kNextAngles = 22.5;
 
 }  // namespace
 
-double usual_lpi(double dpi) noexcept { return std::min(dpi / kUsualCell, kMostUsualLpi); }
+double usual_lpi(double dpi) noexcept {
+  const double side_of_step = std::sqrt(2.0);
+  const double step = std::ceil(dpi / (kMostUsualLpi * side_of_step));
+  return dpi / (std::max(step, kLeastUsualStep) * side_of_step);
+}
 
 std::vector<double> usual_angles(int channels) {
   if (channels == 1) return {45};

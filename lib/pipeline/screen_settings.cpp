@@ -103,7 +103,8 @@ Result set_spot(Settings& settings, std::string_view value) {
 std::vector<Setting> screen_settings() {
   return {
       {"lpi", "L",
-       "ruling of a screen, lines an inch; default: the device's, else dpi/7, 150 at most",
+       "ruling of a screen, lines an inch; default: the device's, else the finest up to 150 whose "
+       "cells at 45 degrees lie on whole dots: 53 at 300 dpi, 106 at 600",
        set_lpi},
       {"angle", "DEG[,DEG...]",
        "of a screen, counterclockwise, one or one for each channel; default: 45, colours "

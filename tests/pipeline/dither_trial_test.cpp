@@ -23,8 +23,6 @@ namespace tristim {
 namespace {
 
 constexpr double kToneBound = 0.15;  // of L*
-// The edges of a patch cut through the dots of a screen; whole tiles keep the bound (screen_test).
-constexpr double kScreenBound = 0.25;
 
 Image spheres() {
   const SpheresOptions options{.width = 480, .height = 270, .samples = 4};
@@ -74,11 +72,9 @@ std::string row_of(const NamedDither& dither, ImageView<const float> picture,
   const double tone_two_bits = dither_tone({two_bits, dither});
   const double tone_palette = dither_tone({palette, dither});
   if (keeps_tone(dither)) {
-    const bool screen = std::holds_alternative<ScreenRecipe>(dither.method);
-    const double bound = screen ? kScreenBound : kToneBound;
-    EXPECT_LE(figures.tone_lstar, bound) << dither.name;
-    EXPECT_LE(tone_two_bits, bound) << dither.name << ", 2 bits";
-    EXPECT_LE(tone_palette, bound) << dither.name << ", palette";
+    EXPECT_LE(figures.tone_lstar, kToneBound) << dither.name;
+    EXPECT_LE(tone_two_bits, kToneBound) << dither.name << ", 2 bits";
+    EXPECT_LE(tone_palette, kToneBound) << dither.name << ", palette";
   }
   return "| " + dither.name + " |" + cell(fixed_text(figures.tone_lstar, 2)) +
          cell(fixed_text(tone_two_bits, 2)) + cell(fixed_text(tone_palette, 2)) +

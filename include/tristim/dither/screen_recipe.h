@@ -33,7 +33,9 @@ inline constexpr std::array kScreenRecipes{
                  "a screen whose smallest dots and holes are dispersed [Kang99]"},
 };
 
-/// A seventh of the resolution, so that a cell has some 50 tones, but at most 150 lpi.
+/// What laser printers and imagesetters use: the finest up to 150 lpi whose cells at 45 degrees lie
+/// on whole dots, 4 or more from one row of cells to the next. 53 lpi at 300 dpi, 106 at 600, 141
+/// at 1200 and 2400.
 double usual_lpi(double dpi) noexcept;
 
 /// 45 degrees for one channel; 15, 75, 0 and 45 for cyan or red, magenta or green, yellow or blue,
