@@ -15,8 +15,8 @@
 namespace tristim {
 namespace {
 
-constexpr unsigned kSeconds = 20;
-constexpr long kMostKilobytes = 1'000'000;
+constexpr unsigned kSeconds = 5;
+constexpr long kMostKilobytes = 512 << 10;
 
 struct Outcome {
   int exit_code = 0;  // the Error's kind, 0: read to the end, -1: killed, 99: another exception

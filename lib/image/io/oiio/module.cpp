@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -52,6 +54,11 @@ std::string reason(const OIIO::ImageInput* input) {
 [[noreturn]] void refuse(const NativeRequest& request, const std::string& wrong,
                          const std::string& remedy = "") {
   throw Error(ErrorKind::kContent, request.name, wrong, remedy);
+}
+
+[[noreturn]] void refuse_too_large(const NativeRequest& request) {
+  refuse(request, "is too large for its format, of which too much has to be held at once",
+         "convert it to EXR, or to TIFF in strips");
 }
 
 bool sample_type(const OIIO::TypeDesc& type, SampleType& out) {
@@ -134,6 +141,16 @@ std::unique_ptr<OIIO::ImageInput> open_input(const NativeRequest& request, OIIO:
   return input;
 }
 
+// A GIF is held as a whole, 4 bytes a pixel, as soon as it is open: its size is looked up before.
+void check_gif_canvas(const NativeRequest& request) {
+  std::array<unsigned char, 10> head = {};  // signature, width, height: little-endian
+  std::ifstream(request.path, std::ios::binary)
+      .read(reinterpret_cast<char*>(head.data()), std::ssize(head));
+  const std::uint64_t width = head[6] + 256U * head[7];
+  const std::uint64_t height = head[8] + 256U * head[9];
+  if (4 * width * height > kMaxHeldBytes) refuse_too_large(request);
+}
+
 void check_size(const NativeRequest& request, const OIIO::ImageSpec& spec,
                 const NativePicture& picture) {
   check_picture_size(request.name, spec.width, spec.height);
@@ -146,14 +163,12 @@ void check_size(const NativeRequest& request, const OIIO::ImageSpec& spec,
   const auto held_rows =
       static_cast<std::uint64_t>(in_rows || is_jpeg ? picture.chunk_rows : spec.height);
   const bool too_many = is_jpeg && std::int64_t{spec.width} * spec.height > kMaxJpegPixels;
-  if (row_bytes * held_rows > kMaxHeldBytes || too_many) {
-    refuse(request, "is too large for its format, of which too much has to be held at once",
-           "convert it to EXR, or to TIFF in strips");
-  }
+  if (row_bytes * held_rows > kMaxHeldBytes || too_many) refuse_too_large(request);
 }
 
 void open_with_oiio_library(const NativeRequest& request, NativePicture& picture) {
   set_up_library();
+  if (request.format == "gif") check_gif_canvas(request);
   OIIO::ImageSpec spec;
   std::unique_ptr<OIIO::ImageInput> input = open_input(request, spec);
   if (!sample_type(spec.format, picture.type)) {
