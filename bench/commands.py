@@ -16,7 +16,7 @@ CHUNK = 3 << 16  # bytes of whole RGB pixels: a child's peak counts what this pr
 
 # Where Debian has the peers.
 PACKAGES = {"vips": "libvips-tools", "oiiotool": "openimageio-tools", "gm": "graphicsmagick",
-            "convert": "imagemagick", "pamditherbw": "netpbm", "pnmremap": "netpbm",
+            "convert": "imagemagick", "pamditherbw": "netpbm",
             "python3 with PIL": "python3-pil"}
 
 
@@ -110,14 +110,20 @@ def to_png(process):
              "sRGB", "-depth", "8", "a.png", long=True)))
 
 
-def larger_and_smaller(process, sizes):
+def growth(process, sizes):
     for size in sizes:
         width, height = GROWTH[size]
-        yield Work(f"W6, {size}", "with bayer8", tuple(
-            process(f"tristim, {threads} thread{'s' * (threads > 1)}", exr(size), "a.png", "-d",
-                    "srgb", "--dither", "bayer8", "--threads", str(threads), threads=threads,
-                    long=width > 3840)
-            for threads in (1, 2)), width * height)
+        long = width > 3840
+
+        def to_png(threads):
+            return process(f"tristim, {threads} thread{'s' * (threads > 1)}", exr(size), "a.png", "-d",
+                           "srgb", "--dither", "bayer8", "--threads", str(threads), threads=threads,
+                           long=long)
+        yield Work(f"W6, {size}", "with bayer8; to 1 bit and PBM", (
+            to_png(1), to_png(2),
+            process("tristim, 1 bit, Floyd-Steinberg", exr(size), "a.pbm", "-d", "laser-300",
+                    "--size", f"{width}x{height}", "--dither", "floyd-steinberg", long=long)),
+                   width * height)
 
 
 def ordered(process):
@@ -163,9 +169,7 @@ def sixteen_colors(process):
              "split[a][b];[a]palettegen=max_colors=16:reserve_transparent=0[p];"
              "[b][p]paletteuse=dither=floyd_steinberg", "a.png"),
         peer("ImageMagick", "a.png", CONVERT, "true.png", "-dither", "FloydSteinberg", "-colors",
-             "16", "PNG8:a.png", long=True),
-        peer("netpbm", "a.png", "sh", "-c", "pnmcolormap 16 true.ppm > a.ppm && pnmremap -floyd "
-             "-mapfile a.ppm true.ppm | pnmtopng > a.png", needs="pnmremap", long=True)))
+             "16", "PNG8:a.png", long=True)))
 
 
 def many_colors(process):
@@ -191,7 +195,7 @@ def works(tristim, sizes=tuple(GROWTH)):
                    command=(tristim, "process", picture, "-o", output, *options, "--quiet",
                             "--force"))
     return (
-        to_png(process), *larger_and_smaller(process, sizes), ordered(process), diffused(process),
+        to_png(process), *growth(process, sizes), ordered(process), diffused(process),
         rgb565(process), sixteen_colors(process), many_colors(process),
         Work("devices", "half EXR of 8 Mpixel, the device's own dither", tuple(
             process(device, exr("8 Mpixel"), "a.png", "-d", device, "--size", "3840x2160")

@@ -1,8 +1,8 @@
 // picture WIDTHxHEIGHT OUT.exr: what the commands of bench/table.py read, half floats of linear
 // light, zip.
 //
-// Smooth light with the noise of a photograph, about 3 bits a sample in a PNG of 8 bits; larger
-// pictures repeat the first 3840x2160 pixels.
+// Smooth light with the noise of a photograph, about 3 bits a sample in a PNG of 8 bits. Larger
+// pictures repeat 3840x2160 pixels, shifted to the right so that no compressor sees a row twice.
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -43,16 +43,19 @@ Image photograph_light() {
   return light;
 }
 
+constexpr int kShift = kHeight / 5;  // rows, from one repetition to the next on its right
+
 void write_picture(int width, int height, const char* path) {
   const Image tile = photograph_light();
   const std::unique_ptr<RowSink> sink =
       open_exr_sink(path, {.width = width, .height = height}, {.replace = true});
   Image row(width, 1, 3);
   for (int y = 0; y < height; ++y) {
-    const std::span<const float> from = tile.view().row(y % kHeight);
     const std::span<float> to = row.view().row(0);
-    for (std::size_t i = 0; i < to.size(); i += from.size()) {
-      std::copy_n(from.data(), std::min(from.size(), to.size() - i), to.data() + i);
+    for (int part = 0; part * kWidth < width; ++part) {
+      const std::span<const float> from = tile.view().row((y + part * kShift) % kHeight);
+      const std::size_t begin = static_cast<std::size_t>(part) * from.size();
+      std::copy_n(from.data(), std::min(from.size(), to.size() - begin), to.data() + begin);
     }
     sink->write(row.view());
   }
