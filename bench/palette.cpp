@@ -5,9 +5,9 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cmath>
-#include <random>
+#include <array>
 
+#include "bench/pictures.h"
 #include "tristim/core/find.h"
 #include "tristim/palette/quantize.h"
 #include "tristim/palette/remap.h"
@@ -16,50 +16,36 @@
 #include <libimagequant.h>
 #endif
 
-namespace tristim {
+namespace tristim::bench {
 namespace {
 
-constexpr int kWidth = 3840;
-constexpr int kHeight = 2160;
-
-const Raster<std::uint8_t>& photograph() {
-  static const Raster<std::uint8_t> picture = [] {
-    Raster<std::uint8_t> codes(kWidth, kHeight, 3);
-    std::mt19937 random(1);
-    std::normal_distribution<double> noise(0, 1.5);
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const double u = x / 600.0;
-        const double v = y / 500.0;
-        const double light = 110 + 80 * std::sin(u) * std::cos(v + u / 3) + 30 * std::sin(7 * v);
-        const double hue[3] = {40 * std::sin(v * 1.3), 10 * std::sin(u + v),
-                               50 * std::cos(u * 0.7)};
-        for (int c = 0; c < 3; ++c) {
-          const double code = light + hue[c] + noise(random);
-          codes.view().pixel(x, y)[c] = static_cast<std::uint8_t>(std::clamp(code, 0.0, 255.0));
-        }
-      }
-    }
-    return codes;
+const Raster<std::uint8_t>& picture() {
+  static const Raster<std::uint8_t> made = [] {
+    Raster<std::uint8_t> rounded(kWidth, kHeight, 3);
+    photograph([&](int x, int y, const std::array<double, 3>& codes) {
+      std::ranges::transform(codes, rounded.view().pixel(x, y),
+                             [](double code) { return static_cast<std::uint8_t>(code); });
+    });
+    return rounded;
   }();
-  return picture;
+  return made;
 }
 
 Histogram counted() {
   Histogram histogram;
-  histogram.add(photograph().view());
+  histogram.add(picture().view());
   return histogram;
 }
 
 void count(benchmark::State& state) {
-  photograph();
+  picture();
   for (auto _ : state) benchmark::DoNotOptimize(counted());
 }
 BENCHMARK(count)->Unit(benchmark::kMillisecond);
 
 // Counting and choosing.
 void choose(benchmark::State& state, const char* method, int colors) {
-  photograph();
+  picture();
   for (auto _ : state) {
     benchmark::DoNotOptimize(
         build_palette(counted(), *find_by_name(kPaletteMethods, method), {.colors = colors}));
@@ -88,7 +74,7 @@ BENCHMARK(best_of)->RangeMultiplier(8)->Range(2, 65536)->Unit(benchmark::kMillis
 void best_and_map(benchmark::State& state) {
   const auto rows = static_cast<int>(state.range(0));
   Raster<std::uint16_t> positions(kWidth, rows, 1);
-  const auto codes = photograph().view().rows(0, rows);
+  const auto codes = picture().view().rows(0, rows);
   for (auto _ : state) {
     Histogram histogram;
     histogram.add(codes);
@@ -105,11 +91,11 @@ BENCHMARK(best_and_map)
 
 // For scale.
 void copy(benchmark::State& state) {
-  const auto& picture = photograph();
+  const auto& from = picture();
   Raster<std::uint8_t> to(kWidth, kHeight, 3);
   for (auto _ : state) {
     for (int y = 0; y < kHeight; ++y) {
-      std::ranges::copy(picture.view().row(y), to.view().row(y).begin());
+      std::ranges::copy(from.view().row(y), to.view().row(y).begin());
     }
     benchmark::DoNotOptimize(to.view().data);
   }
@@ -118,11 +104,11 @@ BENCHMARK(copy)->Unit(benchmark::kMillisecond);
 
 #ifdef TRISTIM_IMAGEQUANT
 void imagequant(benchmark::State& state) {
-  const auto& picture = photograph();
+  const auto& from = picture();
   std::vector<std::uint8_t> rgba;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      const std::uint8_t* p = picture.view().pixel(x, y);
+      const std::uint8_t* p = from.view().pixel(x, y);
       rgba.insert(rgba.end(), {p[0], p[1], p[2], 255});
     }
   }
@@ -153,4 +139,4 @@ BENCHMARK(imagequant)
 #endif
 
 }  // namespace
-}  // namespace tristim
+}  // namespace tristim::bench

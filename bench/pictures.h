@@ -63,13 +63,23 @@ inline MixLevels levels(int bits, bool srgb = true) {
   return made;
 }
 
-/// Codes of 8 bits of a stand-in for a photograph, before its noise: smooth light.
-inline std::array<double, 3> photograph(int x, int y) {
-  const double u = x / 600.0;
-  const double v = y / 500.0;
-  const double light = 110 + 80 * std::sin(u) * std::cos(v + u / 3) + 30 * std::sin(7 * v);
-  return {light + 40 * std::sin(v * 1.3), light + 10 * std::sin(u + v),
-          light + 50 * std::cos(u * 0.7)};
+/// A stand-in for a photograph of that size, smooth light with noise: calls put(x, y, codes) for
+/// every pixel, its codes of 8 bits not yet rounded.
+template <typename Put>
+void photograph(Put&& put) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> grain(0, 1.5);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const double u = x / 600.0;
+      const double v = y / 500.0;
+      const double light = 110 + 80 * std::sin(u) * std::cos(v + u / 3) + 30 * std::sin(7 * v);
+      std::array<double, 3> codes = {light + 40 * std::sin(v * 1.3), light + 10 * std::sin(u + v),
+                                     light + 50 * std::cos(u * 0.7)};
+      for (double& code : codes) code = std::clamp(code + grain(random), 0.0, 255.0);
+      put(x, y, codes);
+    }
+  }
 }
 
 /// Runs part(first, count) on all of `height` rows, shared out among `threads`.

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cstdio>
 #include <exception>
-#include <random>
 #include <string_view>
 
 #include "bench/pictures.h"
@@ -29,17 +28,11 @@ std::vector<float> light_of_parts() {
 Image photograph_light() {
   const std::vector<float> decoded = light_of_parts();
   Image light(kWidth, kHeight, 3);
-  std::mt19937 random(1);
-  std::normal_distribution<double> grain(0, 1.5);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const std::array<double, 3> codes = photograph(x, y);
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double code = std::clamp(codes[c] + grain(random), 0.0, 255.0);
-        light.view().pixel(x, y)[c] = decoded[static_cast<std::size_t>(code * kParts)];
-      }
-    }
-  }
+  photograph([&](int x, int y, const std::array<double, 3>& codes) {
+    std::ranges::transform(codes, light.view().pixel(x, y), [&](double code) {
+      return decoded[static_cast<std::size_t>(code * kParts)];
+    });
+  });
   return light;
 }
 
