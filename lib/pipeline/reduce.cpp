@@ -19,12 +19,7 @@ using Target = std::variant<detail::LevelReducer, detail::PaletteReducer, detail
 
 Target make_target(const Display& display, const ReduceOptions& options, int width) {
   const auto* whole = std::get_if<WholePictureDither>(&options.dither);
-  if (display.press) {
-    if (whole != nullptr) {
-      throw std::invalid_argument("dither: a method for whole pictures takes no press");
-    }
-    return detail::InkReducer(display, options, width);
-  }
+  if (display.press) return detail::InkReducer(display, options, width);
   if (!display.frame.packing.indexed) return detail::LevelReducer(display, options, width);
   if (whole != nullptr && !display.palette.empty()) {
     throw std::invalid_argument("dither: " + std::string(whole->name) +

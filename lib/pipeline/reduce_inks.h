@@ -17,6 +17,8 @@ class InkReducer {
   void reduce(Band band, ImageView<std::uint16_t> codes);
 
  private:
+  void reduce_whole(const Band& band, ImageView<std::uint16_t> codes);
+
   const ReduceOptions* options_;
   InkPlanes planes_;
   std::vector<ChannelReducer> inks_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/pipeline/pictures.h"
 #include "tristim/color/lab.h"
 #include "tristim/color/transfer.h"
 #include "tristim/core/find.h"
@@ -35,18 +36,13 @@ TEST(ToneBeforeGain, IsTheInverseOfTheGain) {
 std::vector<double> inked(const Display& display, const Settings& settings, const Rgb& light) {
   constexpr int kSide = 384;
   Reducer reducer(display, reduce_options(display, settings), kSide);
-  Image rgb(kSide, 1, 3);
-  Raster<std::uint16_t> codes(kSide, 1, 1);
+  Image rgb = flat_picture(kSide, kSide, static_cast<float>(light.r), static_cast<float>(light.g),
+                           static_cast<float>(light.b));
+  Raster<std::uint16_t> codes(kSide, kSide, 1);
+  reducer.reduce({rgb.view(), 0}, codes.view());
   std::vector<double> areas(display.press->inks.size(), 0.0);
   for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      float* p = rgb.view().row(0).data() + 3 * x;
-      p[0] = static_cast<float>(light.r);
-      p[1] = static_cast<float>(light.g);
-      p[2] = static_cast<float>(light.b);
-    }
-    reducer.reduce({rgb.view(), y}, codes.view());
-    for (const std::uint16_t code : codes.view().row(0)) {
+    for (const std::uint16_t code : codes.view().row(y)) {
       for (std::size_t i = 0; i < areas.size(); ++i) areas[i] += code >> i & 1;
     }
   }
@@ -88,13 +84,29 @@ TEST(PressReducer, TakesEveryDitherByInk) {
   Display display = load_display("offset-cmyk");
   display.press->black.replacement = 1;
   for (const NamedDither& dither : dither_methods()) {
-    if (std::holds_alternative<WholePictureDither>(dither.method)) continue;
     SCOPED_TRACE(dither.name);
     Settings settings;
     settings.dither = dither;
     const std::vector<double> bare = inked(display, settings, {1, 1, 1});
     EXPECT_EQ(bare, (std::vector<double>{0, 0, 0, 0}));
     EXPECT_EQ(inked(display, settings, {0, 0, 0})[3], 1);
+  }
+}
+
+// Each by itself: a tone of each ink is kept by all that see the whole picture.
+TEST(PressReducer, KeepsTheTonesOfInksOverWholePictures) {
+  Display display = load_display("offset-cmyk");
+  const Rgb light{0.35, 0.5, 0.25};
+  std::vector<double> asked(4);
+  Separation(*display.press).areas(light, asked);
+  for (double& area : asked) area = asked_area(display.dots->gain, area);
+  for (const WholePictureDither& dither : kWholePictureDithers) {
+    SCOPED_TRACE(dither.name);
+    Settings settings;
+    settings.dither = *find_by_name(dither_methods(), dither.name);
+    settings.dither_parameters.effort = 2;
+    const std::vector<double> inks = inked(display, settings, light);
+    for (std::size_t i = 0; i < inks.size(); ++i) EXPECT_NEAR(inks[i], asked[i], 0.004) << i;
   }
 }
 
