@@ -60,7 +60,7 @@ void run_ordered(const OrderedSteps& steps, int threads) {
   const int count = thread_count(threads);
   if (count == 1) return run_alone(steps);
   namespace tbb = oneapi::tbb;
-  const std::size_t most = static_cast<std::size_t>(count) + 2;
+  const std::size_t most = static_cast<std::size_t>(count) + 1;
   Slots slots(most, steps);
   const auto source = [&](tbb::flow_control& control) -> Slot {
     void* made = steps.produce();

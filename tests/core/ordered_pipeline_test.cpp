@@ -82,7 +82,7 @@ TEST(RunOrdered, HasFewItemsUnderWay) {
   for (const int threads : {1, 2, 7}) {
     Line line(300);
     run_ordered(line.steps, threads);
-    EXPECT_LE(line.most_under_way, threads + 2);
+    EXPECT_LE(line.most_under_way, threads + 1);
   }
 }
 
