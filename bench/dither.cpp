@@ -1,5 +1,6 @@
 // What ordered dither costs: rows of light to codes, beside zimg's library (which dithers encoded
-// numbers), in every instruction set; and making masks. Figures are for 3840x2160, one channel.
+// numbers), in every instruction set; to palettes; and making masks. Figures are for 3840x2160, one
+// channel.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include "bench/pictures.h"
 #include "tristim/dither/matrices.h"
 #include "tristim/dither/ordered.h"
+#include "tristim/dither/palette.h"
 
 namespace tristim::bench {
 namespace {
@@ -33,6 +35,30 @@ void ordered(benchmark::State& state, const char* set, int bits, bool srgb, cons
   count_pixels(state, kWidth, kHeight);
   unsetenv("TRISTIM_SIMD");
 }
+
+// Colours all over the cube, beside black and white.
+std::vector<Rgb> entries(int count) {
+  std::vector<Rgb> all{{0, 0, 0}, {1, 1, 1}};
+  const std::vector<float> light = noise(3 * static_cast<std::size_t>(count));
+  for (std::size_t i = 0; all.size() < static_cast<std::size_t>(count); i += 3) {
+    all.push_back({light[i], light[i + 1], light[i + 2]});
+  }
+  return all;
+}
+
+// A whole picture, what the dither keeps from pixel to pixel kept from round to round.
+void ordered_to_palette(benchmark::State& state) {
+  static const Image in = photograph_light();
+  const MixPalette palette(entries(static_cast<int>(state.range(0))), kMetrics[1], Mix::kLight);
+  const PaletteOrdered dither(palette, make_matrix(*find_matrix_recipe("bayer8")));
+  std::vector<std::uint16_t> indices(kWidth);
+  for (auto _ : state) {
+    for (int y = 0; y < kHeight; ++y) dither.row(y, in.view().row(y), indices);
+    benchmark::DoNotOptimize(indices.data());
+  }
+  count_pixels(state, kWidth, kHeight);
+}
+BENCHMARK(ordered_to_palette)->Arg(7)->Arg(16)->Arg(256)->Unit(benchmark::kMillisecond);
 
 void blue_noise(benchmark::State& state) {
   std::uint64_t seed = 1;

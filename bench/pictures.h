@@ -14,6 +14,7 @@
 
 #include "tristim/color/transfer.h"
 #include "tristim/dither/levels.h"
+#include "tristim/image/view.h"
 
 namespace tristim::bench {
 
@@ -80,6 +81,22 @@ void photograph(Put&& put) {
       put(x, y, codes);
     }
   }
+}
+
+/// The light of that photograph, behind sRGB's curve.
+inline Image photograph_light() {
+  constexpr int kParts = 16;  // of a code
+  std::vector<float> decoded;
+  for (int i = 0; i <= 255 * kParts; ++i) {
+    decoded.push_back(static_cast<float>(srgb_decode(i / (255.0 * kParts))));
+  }
+  Image light(kWidth, kHeight, 3);
+  photograph([&](int x, int y, const std::array<double, 3>& codes) {
+    std::ranges::transform(codes, light.view().pixel(x, y), [&](double code) {
+      return decoded[static_cast<std::size_t>(code * kParts)];
+    });
+  });
+  return light;
 }
 
 /// Runs part(first, count) on all of `height` rows, shared out among `threads`.

@@ -92,9 +92,11 @@ IN_PROCESS = (
     Work("diffusion, 8 bits", "a channel", (
         bench("ours", "tristim", "diffusion", "rows_together/bits8"),
         bench("peer", "zimg", "diffusion", "zimg_error_diffusion/bits8"))),
-    Work("diffusion to a palette", "RGB, in light", tuple(
+    Work("diffusion, to a palette", "RGB, in light", tuple(
         bench("ours", f"tristim, {count} colours", "diffusion", f"to_palette/colors{count}")
         for count in (7, 16, 256))),
+    Work("ordered, to a palette", "RGB, in light", (
+        bench("ours", "tristim, 16 colours", "dither", "ordered_to_palette/16", long=True),)),
     Work("mask", "void and cluster", tuple(
         bench("ours", f"tristim, {side}x{side}", "dither", f"blue_noise/{side}")
         for side in (128, 256, 512)), pixels=0),

@@ -15,27 +15,6 @@
 namespace tristim::bench {
 namespace {
 
-constexpr int kParts = 16;  // of a code
-
-std::vector<float> light_of_parts() {
-  std::vector<float> light;
-  for (int i = 0; i <= 255 * kParts; ++i) {
-    light.push_back(static_cast<float>(srgb_decode(i / (255.0 * kParts))));
-  }
-  return light;
-}
-
-Image photograph_light() {
-  const std::vector<float> decoded = light_of_parts();
-  Image light(kWidth, kHeight, 3);
-  photograph([&](int x, int y, const std::array<double, 3>& codes) {
-    std::ranges::transform(codes, light.view().pixel(x, y), [&](double code) {
-      return decoded[static_cast<std::size_t>(code * kParts)];
-    });
-  });
-  return light;
-}
-
 constexpr int kShift = kHeight / 5;  // rows, from one repetition to the next on its right
 
 void write_picture(int width, int height, const char* path) {
