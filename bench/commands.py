@@ -1,7 +1,6 @@
 """Whole commands: the pictures that they read, what tristim and its peers are called with, one run."""
 
 import os
-import pathlib
 import resource
 import shutil
 import subprocess
@@ -74,7 +73,7 @@ def write_green(ppm, pgm):
 def make_pictures(tristim, sizes):
     """Writes what the commands read into the working directory: <size>.exr, and of 8 Mpixel also
     true.png, true.ppm and grey.pgm."""
-    picture = pathlib.Path(tristim).parent / "bench/picture"
+    picture = tristim.parent / "bench/picture"
     for size in sizes:
         width, height = GROWTH[size]
         subprocess.run([picture, f"{width}x{height}", exr(size)], check=True)

@@ -8,6 +8,7 @@ number of wrong codes among the 2^24 + 1 lights i/2^24. A peer that is not insta
 """
 
 import argparse
+import contextlib
 import datetime
 import json
 import os
@@ -31,7 +32,7 @@ class Rounds:
     """Measures rows, again and again; what could not be measured is said once."""
 
     def __init__(self, tristim, rows, min_time):
-        self.programs = pathlib.Path(tristim).parent / "bench"
+        self.programs = tristim.parent / "bench"
         self.min_time = min_time
         self.samples = {row: [] for row in rows}
         self.notes = []
@@ -75,6 +76,8 @@ class Rounds:
 def run_program(program, names, min_time):
     """The results of a program's measurements of these names, by name."""
     pattern = "|".join(re.sub(r"([][.^$|()*+?{}\\])", r"\\\1", name) for name in sorted(names))
+    if not program.exists():
+        return {}
     run = subprocess.run(
         [program, f"--benchmark_filter=^({pattern})(/iterations:1)?(/process_time)?(/real_time)?$",
          f"--benchmark_min_time={min_time}", "--benchmark_format=json"],
@@ -113,6 +116,13 @@ def machine():
     return f"{today}, {os.cpu_count()} x {model}, {system}, load {os.getloadavg()[0]:.1f}"
 
 
+def expression(text):
+    try:
+        return re.compile(text)
+    except re.error as error:
+        raise argparse.ArgumentTypeError(f"{text!r}: {error}") from error
+
+
 def options():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -122,13 +132,19 @@ def options():
     parser.add_argument("--minutes", type=float, default=9,
                         help=f"begin no round that would end later; default: 9, {MOST_ROUNDS} rounds "
                              "at most")
-    parser.add_argument("--only", metavar="WORDS", default="",
+    parser.add_argument("--only", metavar="WORDS", type=expression, default="",
                         help="the works whose name has this regular expression in it: 'W1|palette'")
     parser.add_argument("--markdown", action="store_true", help="print the table as Markdown")
     parser.add_argument("--json", action="store_true", help="print every measurement as JSON")
     parser.add_argument("--readme", action="store_true",
                         help="also put the table into bench/README.md")
-    return parser.parse_args()
+    asked = parser.parse_args()
+    asked.tristim = pathlib.Path(asked.tristim).resolve()
+    if not (asked.tristim.parent / "bench").is_dir():
+        parser.error(f"{asked.tristim} has no bench/ beside it: build the target `bench`")
+    if asked.readme and asked.only.pattern:
+        parser.error("--readme wants the whole table, not --only a part")
+    return asked
 
 
 def run_rounds(rounds, limit, most):
@@ -144,25 +160,7 @@ def run_rounds(rounds, limit, most):
     return done
 
 
-def main():
-    asked = options()
-    tristim = str(pathlib.Path(asked.tristim).resolve())
-    sizes = [size for size, (width, _) in works.GROWTH.items() if not asked.quick or width <= 3840]
-    listed = [work for work in works.IN_PROCESS + commands.works(tristim, sizes)
-              if re.search(asked.only, work.name)]
-    rows = dict.fromkeys(row for work in listed for row in work.rows
-                         if not (asked.quick and row.long))
-    rounds = Rounds(tristim, rows, min_time=.02 if asked.quick else .1)
-    began = machine()
-    start = time.monotonic()
-    with tempfile.TemporaryDirectory() as scratch:
-        os.chdir(scratch)
-        if any(row.command for row in rows):
-            commands.make_pictures(tristim, sizes)
-        limit = 60 * asked.minutes - (time.monotonic() - start)
-        count = run_rounds(rounds, limit, 1 if asked.quick else MOST_ROUNDS)
-        os.chdir("/")
-    head = f"{began}; medians of {count} round{'s' * (count > 1)}"
+def report(asked, head, listed, rounds):
     notes = "".join(f"{note}\n" for note in rounds.notes)
     if asked.json:
         print(json.dumps({"machine": head, "notes": rounds.notes,
@@ -172,8 +170,28 @@ def main():
         print(f"{head}\n\n{lay_out(listed, rounds.samples)}\n{notes}", end="")
     if asked.readme:
         text = f"{head}.\n\n```\n{figures.as_text(listed, rounds.samples)}```\n\n{notes}"
-        README.write_text(figures.with_section(README.read_text(encoding="utf-8"), "table", text),
-                          encoding="utf-8")
+        page = README.read_text(encoding="utf-8")
+        README.write_text(figures.with_section(page, "table", text), encoding="utf-8")
+
+
+def main():
+    asked = options()
+    start = time.monotonic()
+    sizes = [size for size, (width, _) in works.GROWTH.items() if not asked.quick or width <= 3840]
+    listed = [work for work in works.IN_PROCESS + commands.works(asked.tristim, sizes)
+              if asked.only.search(work.name)]
+    rows = dict.fromkeys(row for work in listed for row in work.rows
+                         if not (asked.quick and row.long))
+    if not rows:
+        sys.exit("table.py: no work has that in its name")
+    rounds = Rounds(asked.tristim, rows, min_time=.02 if asked.quick else .1)
+    began = machine()
+    with tempfile.TemporaryDirectory() as scratch, contextlib.chdir(scratch):
+        if any(row.command for row in rows):
+            commands.make_pictures(asked.tristim, sizes)
+        limit = 60 * asked.minutes - (time.monotonic() - start)
+        count = run_rounds(rounds, limit, 1 if asked.quick else MOST_ROUNDS)
+    report(asked, f"{began}; medians of {count} round{'s' * (count > 1)}", listed, rounds)
     return 1 if rounds.failed else 0
 
 
