@@ -7,7 +7,6 @@
 #include <memory>
 #include <random>
 
-#include "lib/dither/floyd_steinberg_rows.h"
 #include "tristim/color/transfer.h"
 #include "tristim/dither/levels.h"
 #include "tristim/dither/palette.h"
@@ -62,6 +61,26 @@ BENCHMARK_CAPTURE(rows_together, bits2, 2);
 BENCHMARK_CAPTURE(rows_together, bits8, 8);
 BENCHMARK_CAPTURE(rows_together, bits16, 16);
 
+// Other kernels to 1 bit: one way, many rows at a time, or by their definition.
+void kernel(benchmark::State& state, const DiffusionKernel& kernel, bool serpentine) {
+  const Image in = noise(1);
+  Raster<std::uint16_t> out(kWidth, kRows, 1);
+  LevelDiffusion diffusion(
+      levels(1), kWidth,
+      {.kernel = &kernel, .serpentine = serpentine, .jitter = kernel.jitter, .settled = false});
+  for (auto _ : state) {
+    diffusion.rows(in.view(), out.view());
+    benchmark::DoNotOptimize(out.view().data);
+  }
+  count_pixels(state);
+}
+BENCHMARK_CAPTURE(kernel, jarvis_one_way, kJarvisJudiceNinke, false);
+BENCHMARK_CAPTURE(kernel, jarvis_serpentine, kJarvisJudiceNinke, true);
+BENCHMARK_CAPTURE(kernel, stevenson_arce_one_way, kStevensonArce, false);
+BENCHMARK_CAPTURE(kernel, blue_diffusion_one_way, kBlueDiffusion, false);
+BENCHMARK_CAPTURE(kernel, blue_diffusion_serpentine, kBlueDiffusion, true);
+BENCHMARK_CAPTURE(kernel, ostromoukhov_serpentine, kOstromoukhov, true);
+
 void definition(benchmark::State& state, int bits) {
   const Image in = noise(1);
   Raster<std::uint16_t> out(kWidth, kRows, 1);
@@ -109,20 +128,21 @@ std::vector<Rgb> entries(int count) {
   return all;
 }
 
-void to_palette(benchmark::State& state, int count) {
+void to_palette(benchmark::State& state, int count, int threads) {
   const Image in = gradient();
   const MixPalette palette(entries(count), kMetrics[1], Mix::kLight);
   PaletteDiffusion diffusion(palette, kWidth, {.settled = false});
   Raster<std::uint16_t> indices(kWidth, kRows, 1);
   for (auto _ : state) {
-    diffusion.rows(in.view(), indices.view());
+    diffusion.rows(in.view(), indices.view(), threads);
     benchmark::DoNotOptimize(indices.view().data);
   }
   count_pixels(state);
 }
-BENCHMARK_CAPTURE(to_palette, colors7, 7);
-BENCHMARK_CAPTURE(to_palette, colors16, 16);
-BENCHMARK_CAPTURE(to_palette, colors256, 256);
+BENCHMARK_CAPTURE(to_palette, colors7, 7, 1);
+BENCHMARK_CAPTURE(to_palette, colors16, 16, 1);
+BENCHMARK_CAPTURE(to_palette, colors16_two_threads, 16, 2)->UseRealTime();
+BENCHMARK_CAPTURE(to_palette, colors256, 256, 1);
 
 #ifdef TRISTIM_ZIMG
 // Encoded numbers to encoded numbers, with its error diffusion: no light.

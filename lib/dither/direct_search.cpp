@@ -58,6 +58,7 @@ class DirectSearch {
                const WholePictureParameters& parameters)
       : width_(light.width),
         height_(light.height),
+        threads_(parameters.threads),
         levels_(&levels.light),
         level_(light.width, light.height, 1),
         freedom_(light.width, light.height, 1),
@@ -86,7 +87,7 @@ class DirectSearch {
     return correlation_[static_cast<std::size_t>((dy + kReach) * kWidth + dx + kReach)];
   }
 
-  int width_, height_;
+  int width_, height_, threads_;
   const std::vector<float>* levels_;
   Raster<std::uint16_t> level_;
   Raster<std::uint8_t> freedom_;
@@ -139,7 +140,7 @@ std::uint8_t DirectSearch::freedom_at(float target, float nearest) const noexcep
 
 // Correlates the error with the eye; outside of the picture there is none.
 void DirectSearch::see(const Raster<float>& error) {
-  detail::parallel_for_rows(height_ + 2 * kReach, 0, [&](int row) {
+  detail::parallel_for_rows(height_ + 2 * kReach, threads_, [&](int row) {
     float* sum = seen_.view().row(row).data();
     for (int ky = 0; ky < kWidth; ++ky) {
       const int y = row - ky;
@@ -223,7 +224,7 @@ bool DirectSearch::pass() {
   std::vector<std::uint8_t> changed(static_cast<std::size_t>(columns) *
                                     static_cast<std::size_t>(rows));
   for (int colour = 0; colour < 4; ++colour) {
-    detail::parallel_for_rows((rows + 1) / 2, 0, [&](int pair) {
+    detail::parallel_for_rows((rows + 1) / 2, threads_, [&](int pair) {
       const int row = 2 * pair + colour / 2;
       for (int column = colour % 2; row < rows && column < columns; column += 2) {
         if (pass_tile(column * kTile, row * kTile)) {

@@ -22,8 +22,8 @@ Bracket bracket(const std::vector<float>& levels, const LevelSearch& search, flo
   return {levels[i], levels[static_cast<std::size_t>(std::min(lower + 1, last))] - levels[i]};
 }
 
-float share_of(std::span<const float> strength, int x) noexcept {
-  return strength.empty() ? 1 : strength[static_cast<std::size_t>(x)];
+float shared(float error, std::span<const float> strength, int x) noexcept {
+  return strength.empty() ? error : error * strength[static_cast<std::size_t>(x)];
 }
 
 bool reversed(const DiffusionOptions& options, int y) noexcept {
@@ -77,12 +77,11 @@ void LevelDiffusion::diffuse_row(const Row& row, Choose&& choose) {
       before.push(0);
       continue;
     }
-    const float share = share_of(row.strength, x);
     const float clipped = std::clamp(row.in[x], levels_.light.front(), levels_.light.back());
-    const float wanted = clipped + before.received(above[x], weight) * share;
+    const float wanted = clipped + shared(before.received(above[x], weight), row.strength, x);
     const Raise raised = raise(x, row.y, clipped, row.jitter);
     const std::size_t level = choose(x, wanted - raised.by);
-    const float error = (wanted - levels_.light[level]) * share;
+    const float error = shared(wanted - levels_.light[level], row.strength, x);
     if (raised.tone != nullptr) {
       errors_.give_below(x, 0, error, *raised.tone);
       before.push(error * raised.tone->next);

@@ -12,6 +12,7 @@ namespace {
 constexpr int kCoarseShift = 16;
 constexpr int kFineShift = 12;
 constexpr std::size_t kManyThresholds = 1024;
+constexpr std::size_t kFewThresholds = 7;
 
 }  // namespace
 
@@ -32,7 +33,15 @@ LevelSearch::LevelSearch(std::span<const float> ascending)
   thresholds_.push_back(std::numeric_limits<float>::quiet_NaN());
 }
 
+// Dithered values fall on either side of a threshold by chance: comparisons that are added up cost
+// less than branches that are guessed wrong.
 int LevelSearch::count_not_above(float value) const noexcept {
+  const std::size_t thresholds = thresholds_.size() - 1;
+  if (thresholds <= kFewThresholds) {
+    int count = 0;
+    for (std::size_t i = 0; i < thresholds; ++i) count += value >= thresholds_[i] ? 1 : 0;
+    return count;
+  }
   if (!(value > 0)) {
     if (value == 0) return not_positive_;
     int count = 0;  // negative or NaN: rare
@@ -43,6 +52,7 @@ int LevelSearch::count_not_above(float value) const noexcept {
   if (bin < first_bits_ || start_.empty()) return not_positive_;
   const std::size_t i = std::min<std::size_t>(bin - first_bits_, start_.size() - 1);
   std::size_t count = start_[i];
+  count += value >= thresholds_[count] ? 1 : 0;  // a bin has seldom more than one
   while (value >= thresholds_[count]) ++count;
   return static_cast<int>(count);
 }

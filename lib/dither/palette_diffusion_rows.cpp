@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <deque>
 
 #include "lib/dither/entry_equals.h"
 #include "lib/dither/palette_rows.h"
@@ -7,9 +8,9 @@
 namespace tristim {
 namespace {
 
+using detail::PaletteMeetingRows;
 using detail::PaletteRows;
 using detail::PaletteRowsBand;
-using detail::PaletteRowsErrors;
 
 // Rows on their way through the lanes: what is wanted, in planes.
 class WantedRows {
@@ -48,7 +49,8 @@ class WantedRows {
 
 }  // namespace
 
-void PaletteDiffusion::rows(ImageView<const float> rgb, ImageView<std::uint16_t> indices) {
+void PaletteDiffusion::rows(ImageView<const float> rgb, ImageView<std::uint16_t> indices,
+                            int threads) {
   int y = 0;
   const auto definition = [&] {
     row(rgb.row(y), indices.row(y));
@@ -64,22 +66,23 @@ void PaletteDiffusion::rows(ImageView<const float> rgb, ImageView<std::uint16_t>
   }
   const detail::PaletteRowsPlan plan(*palette_, *grid_, errors_, options_.kernel->closed,
                                      options_.jitter, seed_);
-  WantedRows wanted(width_, fast->lanes);
-  PaletteRowsErrors errors;
-  for (int r = 0; r < ErrorRows::kReach; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      errors.row[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = errors_.row(r + 1, c);
-    }
-  }
-  for (int c = 0; c < 3; ++c) errors.overflow[static_cast<std::size_t>(c)] = errors_.overflow(c);
-  while (y < rgb.height) {
-    const int count = std::min(fast->lanes, rgb.height - y);
-    wanted.fill(*palette_, *equal_entry_, rgb.rows(y, count));
-    fast->run(plan, wanted.band(y_, indices.rows(y, count)), errors);
-    y += count;
-    y_ += count;
-  }
-  for (int c = 0; c < 3; ++c) errors_.overflow(c) = errors.overflow[static_cast<std::size_t>(c)];
+  const int lanes = fast->lanes;
+  const int groups = (rgb.height - y + lanes - 1) / lanes;
+  std::deque<PaletteMeetingRows> meeting;
+  for (int g = 0; g <= groups; ++g) meeting.emplace_back(width_, plan.rows, lanes);
+  for (int c = 0; c < 3; ++c) meeting.front().channel[static_cast<std::size_t>(c)].load(errors_, c);
+  detail::in_turn(groups, threads, [&] {
+    return [&, wanted = WantedRows(width_, lanes)](int group) mutable {
+      const int first = group * lanes;
+      const int count = std::min(lanes, rgb.height - y - first);
+      wanted.fill(*palette_, *equal_entry_, rgb.rows(y + first, count));
+      const auto at = static_cast<std::size_t>(group);
+      fast->run(plan, wanted.band(y_ + first, indices.rows(y + first, count)), meeting[at],
+                meeting[at + 1]);
+    };
+  });
+  y_ += rgb.height - y;
+  for (int c = 0; c < 3; ++c) meeting.back().channel[static_cast<std::size_t>(c)].store(errors_, c);
 }
 
 }  // namespace tristim

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lib/dither/entry_grid.h"
-#include "tristim/dither/error_rows.h"
+#include "lib/dither/skewed_rows.h"
 #include "tristim/image/view.h"
 
 namespace tristim::detail {
@@ -25,10 +25,7 @@ struct PaletteRowsPlan {
   float passed_on;
   std::uint32_t seed;
 
-  std::vector<ErrorRows::Tap> taps;
-  std::array<float, 3> weight_before;
-  bool closed;
-  int skew;  // pixels that a row must be behind the one above it
+  SkewedRows rows;
 };
 
 /// Rows that follow one another, from left to right.
@@ -39,23 +36,21 @@ struct PaletteRowsBand {
   ImageView<std::uint16_t> indices;
 };
 
-/// The errors of the three rows above, which become those of the last three: as ErrorRows keeps
-/// them.
-struct PaletteRowsErrors {
-  std::array<std::array<std::span<float>, 3>, ErrorRows::kReach>
-      row;  // by distance less 1, channel
-  std::array<float, 3> overflow;
+struct PaletteMeetingRows {
+  PaletteMeetingRows(int width, const SkewedRows& rows, int lanes)
+      : channel{MeetingRows(width, rows, lanes), MeetingRows(width, rows, lanes),
+                MeetingRows(width, rows, lanes)} {}
+
+  std::array<MeetingRows, 3> channel;
 };
 
-/// Diffusion of rows to a palette as PaletteDiffusion defines it, bit for bit.
-///
-/// Lane l of a vector works on row l, `skew` pixels behind lane l - 1: what a pixel receives from
-/// the rows above is known when it is its turn.
+/// Diffusion of rows to a palette as PaletteDiffusion defines it, bit for bit. Takes
+/// up to `lanes` rows side by side.
 struct PaletteRows {
   std::string_view name;  // instruction set
   int lanes = 0;
   void (*run)(const PaletteRowsPlan& plan, const PaletteRowsBand& band,
-              PaletteRowsErrors& errors) = nullptr;
+              const PaletteMeetingRows& above, PaletteMeetingRows& below) = nullptr;
 };
 
 /// Those that this processor has, the best first; none where there are no vectors.

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kCoarsestShift = 16;  // 1/128 octave: about one threshold of an 8-bit curve
 constexpr int kFinestShift = 8;
-constexpr std::size_t kMostEntries = std::size_t{1} << 16;
 
 std::int32_t bits_of(float value) noexcept { return std::bit_cast<std::int32_t>(value); }
 
@@ -36,13 +35,14 @@ std::vector<std::uint32_t> entries(std::span<const float> threshold, const StepT
   return entry;
 }
 
-bool set_up(std::span<const float> threshold, int shift, StepTable& table) {
+bool set_up(std::span<const float> threshold, int shift, std::size_t most_entries,
+            StepTable& table) {
   const std::int32_t stretch = std::int32_t{1} << shift;
   table.shift = shift;
   table.first = (bits_of(threshold.front()) & -stretch) - stretch;
   table.last = bits_of(threshold.back()) | (stretch - 1);
   const auto stretches = (std::int64_t{table.last} - table.first + 1) >> shift;
-  const bool fits = stretches <= static_cast<std::int64_t>(kMostEntries) &&
+  const bool fits = stretches <= static_cast<std::int64_t>(most_entries) &&
                     threshold.size() < std::size_t{1} << (32 - shift);
   if (table.first < 0 || !fits) return false;
   table.entry = entries(threshold, table);
@@ -63,7 +63,7 @@ std::uint16_t StepTable::operator()(float value) const noexcept {
 }
 
 std::optional<StepTable> step_table(std::span<const float> threshold,
-                                    std::span<const std::uint16_t> code) {
+                                    std::span<const std::uint16_t> code, std::size_t most_entries) {
   const bool usable =
       !threshold.empty() && threshold.front() > 0 && std::isfinite(threshold.back());
   if (!usable) return std::nullopt;
@@ -74,7 +74,7 @@ std::optional<StepTable> step_table(std::span<const float> threshold,
     table.codes_count = table.codes_count && code[i] == code[0] + i;
   }
   for (int shift = kCoarsestShift; shift >= kFinestShift; --shift) {
-    if (!set_up(threshold, shift, table)) continue;
+    if (!set_up(threshold, shift, most_entries, table)) continue;
     table.guess = guess_thresholds(threshold);
     return table;
   }

@@ -29,10 +29,11 @@ struct StepTable {
 };
 
 /// `code[i + 1]` is taken from `threshold[i]` on; they ascend. Nothing where a threshold is not a
-/// positive finite float, or where the stretches that hold one threshold at most would be too many
-/// to stay in a cache.
+/// positive finite float, or where the stretches that hold one threshold at most would be more than
+/// `most_entries`: by default, too many to stay in a cache.
 std::optional<StepTable> step_table(std::span<const float> threshold,
-                                    std::span<const std::uint16_t> code);
+                                    std::span<const std::uint16_t> code,
+                                    std::size_t most_entries = std::size_t{1} << 16);
 
 /// Rows in one instruction set; all of them give the same codes.
 struct StepKernel {

@@ -28,24 +28,13 @@ using Bits = hn::RebindToUnsigned<Floats>;
 using Codes = hn::Rebind<std::uint16_t, Floats>;
 
 #include "lib/dither/level_guess-inl.h"
-
-HWY_INLINE hn::Vec<Words> counts(const StepTable& table, const float* in) {
-  const Words w;
-  const auto light = hn::LoadU(Floats(), in);
-  const auto positive = hn::IfThenElseZero(light > hn::Zero(Floats()), light);
-  const auto first = hn::Set(w, table.first);
-  const auto bits = hn::Min(hn::Max(hn::BitCast(w, positive), first), hn::Set(w, table.last));
-  const auto stretch = hn::ShiftRightSame(bits - first, table.shift);
-  const auto entry =
-      hn::GatherIndex(w, reinterpret_cast<const std::int32_t*>(table.entry.data()), stretch);
-  const auto low = hn::And(bits, hn::Set(w, (std::int32_t{1} << table.shift) - 1));
-  const auto sum = hn::BitCast(Bits(), entry + low);
-  return hn::BitCast(w, hn::ShiftRightSame(sum, table.shift));
-}
+#include "lib/dither/step_table-inl.h"
 
 struct LookedUp {
   const StepTable* table;
-  HWY_INLINE hn::Vec<Words> operator()(const float* in) const { return counts(*table, in); }
+  HWY_INLINE hn::Vec<Words> operator()(const float* in) const {
+    return step_counts(*table, hn::LoadU(Floats(), in));
+  }
 };
 
 #if TRISTIM_GUESSES
@@ -58,7 +47,7 @@ struct GuessedFirst {
     const auto held = hn::Max(hn::LoadU(f, in), hn::Zero(f));  // NaN: 0
     hn::Vec<Words> found;
     const auto light = hn::Min(held, hn::Set(f, table->guess->highest));
-    return HWY_LIKELY(guess(light, found)) ? found : counts(*table, in);
+    return HWY_LIKELY(guess(light, found)) ? found : step_counts(*table, held);
   }
 };
 #endif

@@ -53,6 +53,10 @@ struct Reducer::State {
 
   State(const Display& d, const ReduceOptions& o, int width)
       : display(d), options(o), target(make_target(display, options, width)) {}
+
+  void reduce(const Band& band, ImageView<std::uint16_t> codes, int threads) {
+    std::visit([&](auto& to) { to.reduce(band, codes, threads); }, target);
+  }
 };
 
 Reducer::Reducer(const Display& display, const ReduceOptions& options, int width)
@@ -67,9 +71,9 @@ bool Reducer::whole_picture() const noexcept {
   return std::holds_alternative<WholePictureDither>(state_->options.dither);
 }
 
-void Reducer::reduce(Band band, ImageView<std::uint16_t> codes) {
-  prepare(band, codes);
-  for (int chain = 0; chain < chains(); ++chain) advance(chain, band, codes);
+void Reducer::reduce(Band band, ImageView<std::uint16_t> codes, int threads) {
+  prepare(band, codes, threads);
+  for (int chain = 0; chain < chains(); ++chain) advance(chain, band, codes, threads);
   finish(codes);
 }
 
@@ -78,18 +82,16 @@ int Reducer::chains() const noexcept {
   return std::holds_alternative<detail::LevelReducer>(state_->target) ? samples() : 1;
 }
 
-void Reducer::prepare(Band band, ImageView<std::uint16_t> codes) {
-  State& s = *state_;
-  if (chains() == 0) return std::visit([&](auto& target) { target.reduce(band, codes); }, s.target);
-  if (const auto* levels = std::get_if<detail::LevelReducer>(&s.target)) levels->prepare(band);
+void Reducer::prepare(Band band, ImageView<std::uint16_t> codes, int threads) {
+  if (chains() == 0) return state_->reduce(band, codes, threads);
+  if (auto* levels = std::get_if<detail::LevelReducer>(&state_->target)) levels->prepare(band);
 }
 
-void Reducer::advance(int chain, Band band, ImageView<std::uint16_t> codes) {
-  State& s = *state_;
-  if (auto* levels = std::get_if<detail::LevelReducer>(&s.target)) {
-    return levels->advance(chain, band, codes);
+void Reducer::advance(int chain, Band band, ImageView<std::uint16_t> codes, int threads) {
+  if (auto* levels = std::get_if<detail::LevelReducer>(&state_->target)) {
+    return levels->advance(chain, band, codes, threads);
   }
-  std::visit([&](auto& target) { target.reduce(band, codes); }, s.target);
+  state_->reduce(band, codes, threads);
 }
 
 void Reducer::finish(ImageView<std::uint16_t> codes) const {

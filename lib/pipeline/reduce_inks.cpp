@@ -30,7 +30,7 @@ InkReducer::InkReducer(const Display& display, const ReduceOptions& options, int
 }
 
 // A method for whole pictures sees one ink after the other, each with chances of its own.
-void InkReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes) {
+void InkReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes, int threads) {
   const int width = band.view.width;
   const int height = band.view.height;
   const auto size = static_cast<std::size_t>(width);
@@ -51,14 +51,16 @@ void InkReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes) 
   for (std::size_t i = 0; i < inks_.size(); ++i) {
     const auto& whole = std::get<WholeChannel>(inks_[i]);
     whole.dither->channel(planes[i].view(), whole.levels,
-                          {told.seed + i, told.effort, told.strength, band.dither_mask},
+                          {told.seed + i, told.effort, told.strength, band.dither_mask, threads},
                           inked.view());
     for (int y = 0; y < height; ++y) lay_ink(inked.view().row(y), i, codes.row(y));
   }
 }
 
-void InkReducer::reduce(Band band, ImageView<std::uint16_t> codes) {
-  if (std::holds_alternative<WholeChannel>(inks_.front())) return reduce_whole(band, codes);
+void InkReducer::reduce(Band band, ImageView<std::uint16_t> codes, int threads) {
+  if (std::holds_alternative<WholeChannel>(inks_.front())) {
+    return reduce_whole(band, codes, threads);
+  }
   const int width = band.view.width;
   const auto size = static_cast<std::size_t>(width);
   std::vector<float> planes(size * inks_.size());

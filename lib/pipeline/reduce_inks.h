@@ -14,10 +14,10 @@ class InkReducer {
   /// `options` must outlive this.
   InkReducer(const Display& display, const ReduceOptions& options, int width);
 
-  void reduce(Band band, ImageView<std::uint16_t> codes);
+  void reduce(Band band, ImageView<std::uint16_t> codes, int threads = 1);
 
  private:
-  void reduce_whole(const Band& band, ImageView<std::uint16_t> codes);
+  void reduce_whole(const Band& band, ImageView<std::uint16_t> codes, int threads);
 
   const ReduceOptions* options_;
   InkPlanes planes_;

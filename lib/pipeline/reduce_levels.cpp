@@ -126,12 +126,15 @@ void LevelReducer::prepare(const Band& band) const {
   }
 }
 
-void LevelReducer::advance(int channel, const Band& band, ImageView<std::uint16_t> codes) {
+void LevelReducer::advance(int channel, const Band& band, ImageView<std::uint16_t> codes,
+                           int threads) {
   auto& diffusion = std::get<LevelDiffusion>(channels_[static_cast<std::size_t>(channel)]);
   const ImageView<const float> light = plane(band.view, channel);
   const ImageView<std::uint16_t> out = plane(codes, channel);
   const float strength = options_->parameters.strength;
-  if (strength == 1 && band.dither_mask.data == nullptr) return diffusion.rows(light, out);
+  if (strength == 1 && band.dither_mask.data == nullptr) {
+    return diffusion.rows(light, out, threads);
+  }
   for (int y = 0; y < light.height; ++y) {
     diffusion.row({light.row(y).data(), light.width, 1}, {out.row(y).data(), out.width, 1},
                   row_strength(band, y, strength));
@@ -139,7 +142,7 @@ void LevelReducer::advance(int channel, const Band& band, ImageView<std::uint16_
 }
 
 // A method for whole pictures sees one channel after the other.
-void LevelReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes) {
+void LevelReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes, int threads) {
   Image light(band.view.width, band.view.height, 1);
   Raster<std::uint16_t> channel_codes(band.view.width, band.view.height, 1);
   const DitherParameters& told = options_->parameters;
@@ -156,7 +159,7 @@ void LevelReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes
     }
     const auto& whole = std::get<WholeChannel>(channels_[c]);
     whole.dither->channel(light.view(), whole.levels,
-                          {told.seed, told.effort, told.strength, band.dither_mask},
+                          {told.seed, told.effort, told.strength, band.dither_mask, threads},
                           channel_codes.view());
     for (int y = 0; y < codes.height; ++y) {
       const std::span<const std::uint16_t> from = channel_codes.view().row(y);
@@ -167,9 +170,9 @@ void LevelReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes
   }
 }
 
-void LevelReducer::reduce(Band band, ImageView<std::uint16_t> codes) {
+void LevelReducer::reduce(Band band, ImageView<std::uint16_t> codes, int threads) {
   const float strength = options_->parameters.strength;
-  if (std::holds_alternative<WholeChannel>(channels_[0])) return reduce_whole(band, codes);
+  if (std::holds_alternative<WholeChannel>(channels_[0])) return reduce_whole(band, codes, threads);
   for (int row = 0; row < band.view.height; ++row) {
     const std::vector<float> shares = row_strength(band, row, strength);
     const std::span<float> rgb = band.view.row(row);

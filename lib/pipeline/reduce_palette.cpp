@@ -51,11 +51,11 @@ PaletteReducer::PaletteReducer(const Display& display, const ReduceOptions& opti
   }
 }
 
-void PaletteReducer::reduce(Band band, ImageView<std::uint16_t> indices) {
+void PaletteReducer::reduce(Band band, ImageView<std::uint16_t> indices, int threads) {
   for (int row = 0; row < band.view.height; ++row) multiply(srgb_from_device_, band.view.row(row));
   const float whole = options_->parameters.strength;
   if (diffusion_ && whole == 1 && band.dither_mask.data == nullptr) {
-    return diffusion_->rows(band.view, indices);
+    return diffusion_->rows(band.view, indices, threads);
   }
   for (int row = 0; row < band.view.height; ++row) {
     const std::span<const float> rgb = band.view.row(row);

@@ -16,7 +16,8 @@ class PaletteReducer {
   /// Throws std::invalid_argument where the display has no palette. `options` must outlive this.
   PaletteReducer(const Display& display, const ReduceOptions& options, int width);
 
-  void reduce(Band band, ImageView<std::uint16_t> indices);
+  /// Error diffusion on up to `threads` threads.
+  void reduce(Band band, ImageView<std::uint16_t> indices, int threads = 1);
 
   int size() const noexcept { return palette_->size(); }
 

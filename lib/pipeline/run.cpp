@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/core/ordered_pipeline.h"
+#include "lib/core/parallel.h"
 
 namespace tristim {
 namespace {
@@ -113,6 +114,7 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
   StageCounts total;
 
   WorkPool pool(info.width, std::min(rows, info.height), reducer.samples());
+  const int threads = detail::thread_count(options.threads);
   detail::OrderedSteps steps;
   steps.produce = [&]() -> void* {
     if (next == info.height) return nullptr;
@@ -129,12 +131,12 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
   steps.work = [&](void* item) {
     Work& work = *static_cast<Work*>(item);
     apply_stages(stages, work, observers);
-    reducer.prepare(work.light_band(), work.codes_view());
+    reducer.prepare(work.light_band(), work.codes_view(), threads);
   };
   for (int chain = 0; chain < reducer.chains(); ++chain) {
-    steps.settle.emplace_back([&reducer, chain](void* item) {
+    steps.settle.emplace_back([&reducer, chain, threads](void* item) {
       Work& work = *static_cast<Work*>(item);
-      reducer.advance(chain, work.light_band(), work.codes_view());
+      reducer.advance(chain, work.light_band(), work.codes_view(), threads);
     });
   }
   steps.consume = [&](void* item) {

@@ -298,9 +298,8 @@ std::vector<Setting> make_settings() {
       {"cells", "N|WxH", "a cell of N x N device pixels for each of the picture's; default: 1",
        set_cells},
       {"serpentine", "",
-       "error diffusion turns round at every row; default: for indexed devices, else what suits "
-       "the "
-       "kernel: floyd-steinberg does not",
+       "error diffusion turns round at every row; default: what suits the kernel, all but "
+       "floyd-steinberg do; to palettes none does; rows that go one way are faster",
        [](Settings& s, std::string_view v) {
          return set_switch(v, [&](bool on) { s.dither_parameters.serpentine = on; });
        }},

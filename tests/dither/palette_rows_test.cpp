@@ -62,13 +62,13 @@ Indices by_definition(const MixPalette& palette, const DiffusionOptions& options
 }
 
 Indices by_rows(const MixPalette& palette, const DiffusionOptions& options, const Image& in,
-                int band) {
+                int band, int threads = 1) {
   const auto view = in.view();
   Raster<std::uint16_t> out(view.width, view.height, 1);
   PaletteDiffusion diffusion(palette, view.width, options);
   for (int y = 0; y < view.height; y += band) {
     const int count = std::min(band, view.height - y);
-    diffusion.rows(view.rows(y, count), out.view().rows(y, count));
+    diffusion.rows(view.rows(y, count), out.view().rows(y, count), threads);
   }
   return samples(out);
 }
@@ -102,6 +102,22 @@ TEST_P(EverySet, IsTheDefinitionBitForBit) {
           EXPECT_EQ(by_rows(palette, options, in, band), expected)
               << kernel->name << ", " << count << " entries, " << width << " x " << height;
         }
+      }
+    }
+  }
+}
+
+TEST_P(EverySet, GivesTheSameOnAnyNumberOfThreads) {
+  const std::vector<Rgb> entries = random_entries(8, 6);
+  const MixPalette palette(entries, *find_by_name(kMetrics, "oklab-toe"), Mix::kLight);
+  for (const int width : {1, 40, 700}) {
+    const Image in = picture(width, 130, entries);
+    for (const DiffusionKernel* kernel : {&kFloydSteinberg, &kBlueDiffusion}) {
+      const DiffusionOptions options{.kernel = kernel, .jitter = kernel->jitter};
+      const Indices expected = by_definition(palette, options, in);
+      for (const int threads : {2, 7}) {
+        EXPECT_EQ(by_rows(palette, options, in, 100, threads), expected)
+            << kernel->name << ", " << width << " wide, " << threads << " threads";
       }
     }
   }

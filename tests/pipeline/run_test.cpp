@@ -56,6 +56,23 @@ TEST(Run, GivesTheSameCodesForAnyThreadsAndBands) {
   }
 }
 
+// Row by row is the definition; else rows that go one way go side by side.
+TEST(Run, GivesTheSameCodesOfRowsSideBySide) {
+  for (const char* name : {"srgb", "lcd-rgb565", "epaper-4grey", "epaper-7color"}) {
+    const Display display = load_display(name);
+    for (const DiffusionKernel& kernel : kDiffusionKernels) {
+      const ReduceOptions reduce{.dither = kernel, .parameters = {.serpentine = false}};
+      const auto expected = codes_of(display, reduce, {1, 1});
+      for (const int threads : {1, 2, 7}) {
+        for (const int rows : {5, 64, kHeight}) {
+          ASSERT_EQ(codes_of(display, reduce, {threads, rows}), expected)
+              << name << " " << kernel.name << ", " << threads << " threads, " << rows;
+        }
+      }
+    }
+  }
+}
+
 // A mask that is black on the left half and white on the right.
 Image half_mask(int width, int height) {
   Image mask(width, height, 3);

@@ -14,6 +14,7 @@
 namespace tristim {
 
 namespace detail {
+struct LevelRows;
 struct LevelTable;
 struct StepTable;
 }  // namespace detail
@@ -77,9 +78,9 @@ class LevelDiffusion {
   void row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out,
            std::span<const float> strength = {});
 
-  /// The next rows of a channel by itself: what row() makes of them one after the other, several at
-  /// a time where the kernel and the levels allow.
-  void rows(ImageView<const float> in, ImageView<std::uint16_t> out);
+  /// The next rows of a channel by itself: what row() makes of them one after the other, many at
+  /// a time where they go one way, on up to `threads` threads.
+  void rows(ImageView<const float> in, ImageView<std::uint16_t> out, int threads = 1);
 
  private:
   struct Raise {
@@ -97,6 +98,7 @@ class LevelDiffusion {
   template <typename Choose>
   void diffuse_row(const Row& row, Choose&& choose);
   void settle(ChannelRow<const float> first, std::span<const float> strength);
+  const detail::LevelRows* fast_rows();
 
   MixLevels levels_;
   LevelSearch search_;  // half way points

@@ -148,8 +148,8 @@ class PaletteDiffusion {
            std::span<const float> strength = {});
 
   /// The next rows of three channels: what row() makes of them one after the other, many at a time
-  /// where they go one way.
-  void rows(ImageView<const float> rgb, ImageView<std::uint16_t> indices);
+  /// where they go one way, on up to `threads` threads.
+  void rows(ImageView<const float> rgb, ImageView<std::uint16_t> indices, int threads = 1);
 
  private:
   struct Row {

@@ -15,6 +15,7 @@ struct WholePictureParameters {
   int effort = 0;                      // how long to search; 0: the method's own
   float strength = 1;                  // of the dither, 0 .. 1
   ImageView<const float> dither_mask;  // strength by pixel, 1 channel, 0 .. 1; empty: 1 everywhere
+  int threads = 0;                     // that may help, 0: one for each processor; the same codes
 
   /// The strength of a pixel.
   float share(int x, int y) const noexcept {

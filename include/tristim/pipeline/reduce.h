@@ -45,16 +45,16 @@ class Reducer {
   /// of the same size with samples() channels. May use the band as scratch. Where chains() is not
   /// 0, bands must come one after the other from the picture's top; else several threads may call
   /// this at once, in any order.
-  void reduce(Band band, ImageView<std::uint16_t> codes);
+  void reduce(Band band, ImageView<std::uint16_t> codes, int threads = 1);
 
   /// How many parts of reduce() need the bands in order: error diffusion, each channel by itself.
   int chains() const noexcept;
 
   /// reduce() in steps, for those who have several bands under way: prepare() of any bands at once;
   /// then advance() of each chain, which takes the bands in order and may do so beside other chains
-  /// with other bands; then finish().
-  void prepare(Band band, ImageView<std::uint16_t> codes);
-  void advance(int chain, Band band, ImageView<std::uint16_t> codes);
+  /// with other bands; then finish(). Up to `threads` threads may help with a band.
+  void prepare(Band band, ImageView<std::uint16_t> codes, int threads = 1);
+  void advance(int chain, Band band, ImageView<std::uint16_t> codes, int threads = 1);
   void finish(ImageView<std::uint16_t> codes) const;
 
   /// The step in words.
