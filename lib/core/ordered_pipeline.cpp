@@ -2,6 +2,7 @@
 
 #include <oneapi/tbb/parallel_pipeline.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -56,12 +57,12 @@ void run_alone(const OrderedSteps& steps) {
 
 }  // namespace
 
-void run_ordered(const OrderedSteps& steps, int threads) {
+void run_ordered(const OrderedSteps& steps, int threads, int most) {
   const int count = thread_count(threads);
   if (count == 1) return run_alone(steps);
   namespace tbb = oneapi::tbb;
-  const std::size_t most = static_cast<std::size_t>(count) + 1;
-  Slots slots(most, steps);
+  const auto under_way = static_cast<std::size_t>(most > 0 ? std::max(most, 2) : count + 1);
+  Slots slots(under_way, steps);
   const auto source = [&](tbb::flow_control& control) -> Slot {
     void* made = steps.produce();
     if (made != nullptr) return slots.put(made);
@@ -86,7 +87,7 @@ void run_ordered(const OrderedSteps& steps, int threads) {
     for (const auto& settle : steps.settle) {
       filters = filters & tbb::make_filter<Slot, Slot>(kInOrder, pass(settle));
     }
-    tbb::parallel_pipeline(most, filters & tbb::make_filter<Slot, void>(kInOrder, last));
+    tbb::parallel_pipeline(under_way, filters & tbb::make_filter<Slot, void>(kInOrder, last));
   });
 }
 

@@ -16,8 +16,9 @@ struct OrderedSteps {
   std::function<void(void*)> discard;  // after consume, and for items left over after an exception
 };
 
-/// Sends items through the steps on up to `threads` threads (0: one for each processor), with
-/// a bounded number under way. The first exception stops all and reaches the caller.
-void run_ordered(const OrderedSteps& steps, int threads);
+/// Sends items through the steps on up to `threads` threads (0: one for each processor).
+/// `most` are under way at once, at least 2; 0: one more than there are threads. The first
+/// exception stops all and reaches the caller.
+void run_ordered(const OrderedSteps& steps, int threads, int most = 0);
 
 }  // namespace tristim::detail

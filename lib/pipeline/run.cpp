@@ -11,6 +11,8 @@
 namespace tristim {
 namespace {
 
+constexpr std::int64_t kBandBytes = 3 << 20;  // of a band's light
+
 // A band on its way: its light, its codes, and the light that observers asked for.
 struct Work {
   Image light;
@@ -40,6 +42,15 @@ class WorkPool {
     std::unique_ptr<Work> work = std::move(idle_.back());
     idle_.pop_back();
     return work;
+  }
+
+  // One more than there are threads, but for rows so wide that one is more than a band should be.
+  int most_under_way(int threads) const noexcept {
+    constexpr std::int64_t kMostBytes = 32 << 20;
+    const std::int64_t row_bytes = std::int64_t{width_} * (3 * 4 + samples_ * 2);
+    const int usual = detail::thread_count(threads) + 1;
+    if (row_bytes <= kBandBytes) return usual;
+    return static_cast<int>(std::clamp<std::int64_t>(kMostBytes / row_bytes, 2, usual));
   }
 
   void give_back(std::unique_ptr<Work> work) {
@@ -95,7 +106,6 @@ void apply_stages(std::span<const Stage> stages, Work& work,
 }  // namespace
 
 int band_rows(const PictureInfo& info) noexcept {
-  constexpr std::int64_t kBandBytes = 3 << 20;
   constexpr std::int64_t kTogether = 64;  // rows that error diffusion works on at once
   constexpr std::int64_t kMostRows = 256;
   const std::int64_t row_bytes = std::int64_t{info.width} * 3 * static_cast<int>(sizeof(float));
@@ -153,7 +163,7 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
   steps.discard = [&](void* item) {
     pool.give_back(std::unique_ptr<Work>(static_cast<Work*>(item)));
   };
-  detail::run_ordered(steps, options.threads);
+  detail::run_ordered(steps, options.threads, pool.most_under_way(options.threads));
   return total;
 }
 
