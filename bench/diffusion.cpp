@@ -3,58 +3,34 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <memory>
 #include <random>
 
-#include "tristim/color/transfer.h"
+#include "bench/peers/peers.h"
+#include "bench/pictures.h"
 #include "tristim/dither/levels.h"
 #include "tristim/dither/palette.h"
 
-#ifdef TRISTIM_ZIMG
-#include <zimg.h>
-#endif
-
-namespace tristim {
+namespace tristim::bench {
 namespace {
 
-constexpr int kWidth = 3840;
 constexpr int kRows = 64;  // a band, which the caches hold
 
-Image noise(int channels) {
-  Image image(kWidth, kRows, channels);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<float> light(0, 1);
-  for (int y = 0; y < kRows; ++y) {
-    for (float& value : image.view().row(y)) value = light(random);
-  }
-  return image;
-}
-
-MixLevels levels(int bits) {
-  MixLevels made;
-  const int last = (1 << bits) - 1;
-  for (int i = 0; i <= last; ++i) {
-    made.light.push_back(static_cast<float>(srgb_decode(static_cast<double>(i) / last)));
-    made.code.push_back(static_cast<std::uint16_t>(i));
-  }
-  return made;
-}
-
-void count_pixels(benchmark::State& state) {
-  state.SetItemsProcessed(state.iterations() * kWidth * kRows);
+Image noise_band() {
+  Image band(kWidth, kRows, 1);
+  std::ranges::copy(noise(std::size_t{kWidth} * kRows), band.view().data);
+  return band;
 }
 
 // A channel in a band, as process has them.
 void rows_together(benchmark::State& state, int bits) {
-  const Image in = noise(1);
+  const Image in = noise_band();
   Raster<std::uint16_t> out(kWidth, kRows, 1);
   LevelDiffusion diffusion(levels(bits), kWidth, {.settled = false});
   for (auto _ : state) {
     diffusion.rows(in.view(), out.view());
     benchmark::DoNotOptimize(out.view().data);
   }
-  count_pixels(state);
+  count_pixels(state, kWidth, kRows);
 }
 BENCHMARK_CAPTURE(rows_together, bits1, 1);
 BENCHMARK_CAPTURE(rows_together, bits2, 2);
@@ -63,7 +39,7 @@ BENCHMARK_CAPTURE(rows_together, bits16, 16);
 
 // Other kernels to 1 bit: one way, many rows at a time, or by their definition.
 void kernel(benchmark::State& state, const DiffusionKernel& kernel, bool serpentine) {
-  const Image in = noise(1);
+  const Image in = noise_band();
   Raster<std::uint16_t> out(kWidth, kRows, 1);
   LevelDiffusion diffusion(
       levels(1), kWidth,
@@ -72,7 +48,7 @@ void kernel(benchmark::State& state, const DiffusionKernel& kernel, bool serpent
     diffusion.rows(in.view(), out.view());
     benchmark::DoNotOptimize(out.view().data);
   }
-  count_pixels(state);
+  count_pixels(state, kWidth, kRows);
 }
 BENCHMARK_CAPTURE(kernel, jarvis_one_way, kJarvisJudiceNinke, false);
 BENCHMARK_CAPTURE(kernel, jarvis_serpentine, kJarvisJudiceNinke, true);
@@ -82,7 +58,7 @@ BENCHMARK_CAPTURE(kernel, blue_diffusion_serpentine, kBlueDiffusion, true);
 BENCHMARK_CAPTURE(kernel, ostromoukhov_serpentine, kOstromoukhov, true);
 
 void definition(benchmark::State& state, int bits) {
-  const Image in = noise(1);
+  const Image in = noise_band();
   Raster<std::uint16_t> out(kWidth, kRows, 1);
   LevelDiffusion diffusion(levels(bits), kWidth, {.settled = false});
   for (auto _ : state) {
@@ -91,7 +67,7 @@ void definition(benchmark::State& state, int bits) {
     }
     benchmark::DoNotOptimize(out.view().data);
   }
-  count_pixels(state);
+  count_pixels(state, kWidth, kRows);
 }
 BENCHMARK_CAPTURE(definition, bits1, 1);
 BENCHMARK_CAPTURE(definition, bits8, 8);
@@ -114,20 +90,6 @@ Image gradient() {
   return image;
 }
 
-std::vector<Rgb> entries(int count) {
-  std::vector<Rgb> all{{0, 0, 0}, {1, 1, 1}, {1, 0, 0},  {0, 1, 0},
-                       {0, 0, 1}, {1, 1, 0}, {1, 0.5, 0}};
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> light(0, 1);
-  while (static_cast<int>(all.size()) < count) {
-    const double r = light(random);
-    const double g = light(random);
-    all.push_back({r, g, light(random)});
-  }
-  all.resize(static_cast<std::size_t>(count));
-  return all;
-}
-
 void to_palette(benchmark::State& state, int count, int threads) {
   const Image in = gradient();
   const MixPalette palette(entries(count), kMetrics[1], Mix::kLight);
@@ -137,59 +99,27 @@ void to_palette(benchmark::State& state, int count, int threads) {
     diffusion.rows(in.view(), indices.view(), threads);
     benchmark::DoNotOptimize(indices.view().data);
   }
-  count_pixels(state);
+  count_pixels(state, kWidth, kRows);
 }
 BENCHMARK_CAPTURE(to_palette, colors7, 7, 1);
 BENCHMARK_CAPTURE(to_palette, colors16, 16, 1);
-BENCHMARK_CAPTURE(to_palette, colors16_two_threads, 16, 2)->UseRealTime();
+BENCHMARK_CAPTURE(to_palette, colors16_two_threads, 16, 2)->UseRealTime()->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(to_palette, colors256, 256, 1);
 
-#ifdef TRISTIM_ZIMG
 // Encoded numbers to encoded numbers, with its error diffusion: no light.
 void zimg_error_diffusion(benchmark::State& state, int bits) {
-  zimg_image_format from;
-  zimg_image_format_default(&from, ZIMG_API_VERSION);
-  from.width = kWidth;
-  from.height = kRows;
-  from.pixel_type = ZIMG_PIXEL_FLOAT;
-  from.color_family = ZIMG_COLOR_GREY;
-  from.pixel_range = ZIMG_RANGE_FULL;
-  zimg_image_format to = from;
-  to.pixel_type = ZIMG_PIXEL_BYTE;
-  to.depth = static_cast<unsigned>(bits);
-  zimg_graph_builder_params options;
-  zimg_graph_builder_params_default(&options, ZIMG_API_VERSION);
-  options.dither_type = ZIMG_DITHER_ERROR_DIFFUSION;
-  zimg_filter_graph* graph = zimg_filter_graph_build(&from, &to, &options);
-  if (graph == nullptr) return state.SkipWithError("zimg refuses");
-  std::size_t scratch_size = 0;
-  zimg_filter_graph_get_tmp_size(graph, &scratch_size);
-  const std::unique_ptr<void, decltype(&std::free)> scratch(
-      std::aligned_alloc(64, (scratch_size + 63) / 64 * 64), &std::free);
-  const std::unique_ptr<void, decltype(&std::free)> in(
-      std::aligned_alloc(64, sizeof(float) * kWidth * kRows), &std::free);
-  const std::unique_ptr<void, decltype(&std::free)> out(std::aligned_alloc(64, kWidth * kRows),
-                                                        &std::free);
-  const Image picture = noise(1);
-  for (int y = 0; y < kRows; ++y) {
-    std::ranges::copy(picture.view().row(y), static_cast<float*>(in.get()) + y * kWidth);
-  }
-  zimg_image_buffer_const source{ZIMG_API_VERSION, {}};
-  source.plane[0] = {in.get(), static_cast<std::ptrdiff_t>(sizeof(float) * kWidth),
-                     ZIMG_BUFFER_MAX};
-  zimg_image_buffer target{ZIMG_API_VERSION, {}};
-  target.plane[0] = {out.get(), kWidth, ZIMG_BUFFER_MAX};
+  const ToBytes diffuse = zimg_plane(kWidth, kRows, bits, ZimgDither::kErrorDiffusion);
+  const Samples<float> in(std::size_t{kWidth} * kRows);
+  std::ranges::copy(noise(in.size()), in.data());
+  const Samples<std::uint8_t> out(in.size());
   for (auto _ : state) {
-    zimg_filter_graph_process(graph, &source, &target, scratch.get(), nullptr, nullptr, nullptr,
-                              nullptr);
-    benchmark::DoNotOptimize(out.get());
+    diffuse(in.data(), out.data());
+    benchmark::ClobberMemory();
   }
-  zimg_filter_graph_free(graph);
-  count_pixels(state);
+  count_pixels(state, kWidth, kRows);
 }
 BENCHMARK_CAPTURE(zimg_error_diffusion, bits1, 1);
 BENCHMARK_CAPTURE(zimg_error_diffusion, bits8, 8);
-#endif
 
 }  // namespace
-}  // namespace tristim
+}  // namespace tristim::bench

@@ -36,16 +36,6 @@ void ordered(benchmark::State& state, const char* set, int bits, bool srgb, cons
   unsetenv("TRISTIM_SIMD");
 }
 
-// Colours all over the cube, beside black and white.
-std::vector<Rgb> entries(int count) {
-  std::vector<Rgb> all{{0, 0, 0}, {1, 1, 1}};
-  const std::vector<float> light = noise(3 * static_cast<std::size_t>(count));
-  for (std::size_t i = 0; all.size() < static_cast<std::size_t>(count); i += 3) {
-    all.push_back({light[i], light[i + 1], light[i + 2]});
-  }
-  return all;
-}
-
 // A whole picture, what the dither keeps from pixel to pixel kept from round to round.
 void ordered_to_palette(benchmark::State& state) {
   static const Image in = photograph_light();

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "tristim/color/rgb.h"
 #include "tristim/color/transfer.h"
 #include "tristim/dither/levels.h"
 #include "tristim/image/view.h"
@@ -62,6 +63,21 @@ inline MixLevels levels(int bits, bool srgb = true) {
     made.code.push_back(static_cast<std::uint16_t>(i));
   }
   return made;
+}
+
+/// A palette of colours all over the cube, first those of a panel with seven.
+inline std::vector<Rgb> entries(int count) {
+  std::vector<Rgb> all{{0, 0, 0}, {1, 1, 1}, {1, 0, 0},  {0, 1, 0},
+                       {0, 0, 1}, {1, 1, 0}, {1, 0.5, 0}};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> light(0, 1);
+  while (static_cast<int>(all.size()) < count) {
+    const double r = light(random);
+    const double g = light(random);
+    all.push_back({r, g, light(random)});
+  }
+  all.resize(static_cast<std::size_t>(count));
+  return all;
 }
 
 /// A stand-in for a photograph of that size, smooth light with noise: calls put(x, y, codes) for

@@ -92,9 +92,12 @@ IN_PROCESS = (
     Work("diffusion, 8 bits", "a channel", (
         bench("ours", "tristim", "diffusion", "rows_together/bits8"),
         bench("peer", "zimg", "diffusion", "zimg_error_diffusion/bits8"))),
-    Work("diffusion, to a palette", "RGB, in light", tuple(
-        bench("ours", f"tristim, {count} colours", "diffusion", f"to_palette/colors{count}")
-        for count in (7, 16, 256))),
+    Work("diffusion, to a palette", "RGB, in light", (
+        bench("ours", "tristim, 7 colours", "diffusion", "to_palette/colors7"),
+        bench("ours", "tristim, 16 colours", "diffusion", "to_palette/colors16"),
+        bench("ours", "tristim, 16 colours, 2 threads", "diffusion",
+              "to_palette/colors16_two_threads", threads=2),
+        bench("ours", "tristim, 256 colours", "diffusion", "to_palette/colors256"))),
     Work("ordered, to a palette", "RGB, in light", (
         bench("ours", "tristim, 16 colours", "dither", "ordered_to_palette/16", long=True),)),
     Work("mask", "void and cluster", tuple(
