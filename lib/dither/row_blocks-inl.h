@@ -33,7 +33,7 @@ HWY_INLINE hn::Vec<D> load_quads(D tag, const float* row, std::ptrdiff_t stride)
 }
 
 template <class D>
-HWY_INLINE void store_quads(D tag, hn::Vec<D> quads, std::uint16_t* row, std::ptrdiff_t stride) {
+HWY_INLINE void store_quads(D, hn::Vec<D> quads, std::uint16_t* row, std::ptrdiff_t stride) {
   constexpr std::ptrdiff_t kHalf = hn::MaxLanes(D()) / 2;
   if constexpr (2 * kHalf == kQuad) {
     const hn::Repartition<std::uint16_t, D> narrow;
