@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "lib/dither/entry_equals.h"
-#include "lib/dither/entry_grid.h"
+#include "lib/dither/entry_plans.h"
+#include "lib/dither/mixtures.h"
 #include "tristim/dither/palette.h"
 
 namespace tristim {
@@ -12,8 +13,10 @@ namespace {
 
 using Color = MixPalette::Color;
 
-// Entries of a plan: 64 gain nothing that the eye sees at 7 to 16 colours.
-using Plan = std::array<int, 16>;
+constexpr std::size_t kBlock = 1024;  // pixels that stay in the nearest cache
+
+// Smaller shares are not shown: entries are themselves with what rounding leaves of others.
+constexpr float kShown = 1 / 32768.0F;
 
 // The colour on its way from its nearest entry: 0 is the entry, 1 the colour.
 Color weakened(const MixPalette& palette, const Color& color, float strength) noexcept {
@@ -23,54 +26,36 @@ Color weakened(const MixPalette& palette, const Color& color, float strength) no
   return between;
 }
 
-// Of a palette of two, the colour's fraction of the way between them is known: the levels' rule of
-// ordered dither, exactly.
-int pair_entry(const MixPalette& palette, const Color& color, const ThresholdMatrix& matrix,
-               std::uint16_t rank) noexcept {
-  const int low = palette.luminance_rank(0) < palette.luminance_rank(1) ? 0 : 1;
-  const Color& from = palette.entry(low);
-  const Color& to = palette.entry(1 - low);
-  float along = 0;
-  float length2 = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    along += (color[c] - from[c]) * (to[c] - from[c]);
-    length2 += (to[c] - from[c]) * (to[c] - from[c]);
-  }
-  const float steps = along / length2 * static_cast<float>(matrix.ranks);
-  return steps + 0.5F >= static_cast<float>(rank + 1) ? 1 - low : low;
-}
-
 }  // namespace
 
 struct PaletteOrdered::State {
   const MixPalette* palette;
   ThresholdMatrix matrix;
-  detail::EntryEquals equal_entry;
-  detail::EntryGrid grid;
+  std::vector<float> threshold;  // of the matrix, half way between shares of its ranks
+  detail::Mixtures mixtures;
+  std::optional<detail::EntryPlans> plans;  // where there are no mixtures
 
-  State(const MixPalette& p, const ThresholdMatrix& m)
-      : palette(&p), matrix(m), equal_entry(p), grid(p) {}
+  State(const MixPalette& p, const ThresholdMatrix& m) : palette(&p), matrix(m), mixtures(p) {
+    for (const std::uint16_t rank : matrix.rank) {
+      const float half_way = (static_cast<float>(rank) + 0.5F) / static_cast<float>(matrix.ranks);
+      threshold.push_back(std::clamp(half_way, kShown, 1 - kShown));
+    }
+    if (!mixtures.known()) plans.emplace(p);
+  }
 
-  Plan plan(const Color& color) const noexcept;
+  // Of the pixels of row `y` from `x` on.
+  void copy_thresholds(int y, std::size_t x, std::size_t count, float* out) const noexcept {
+    const auto width = static_cast<std::size_t>(matrix.width);
+    const float* row = threshold.data() + (matrix.row(y) - matrix.rank.data());
+    std::size_t at = (static_cast<std::size_t>(matrix.column(y)) + x) % width;
+    for (std::size_t done = 0; done < count;) {
+      const std::size_t part = std::min(width - at, count - done);
+      std::copy_n(row + at, part, out + done);
+      done += part;
+      at = 0;
+    }
+  }
 };
-
-Plan PaletteOrdered::State::plan(const Color& color) const noexcept {
-  Plan made{};
-  if (const int equal = equal_entry(color); equal >= 0) {
-    made.fill(equal);
-    return made;
-  }
-  Color owed = color;
-  for (int& index : made) {
-    index = grid.nearest(palette->bounded(owed));
-    const Color& got = palette->entry(index);
-    for (std::size_t c = 0; c < 3; ++c) owed[c] += color[c] - got[c];
-  }
-  std::sort(made.begin(), made.end(), [this](int a, int b) {
-    return palette->luminance_rank(a) < palette->luminance_rank(b);
-  });
-  return made;
-}
 
 PaletteOrdered::PaletteOrdered(const MixPalette& palette, const ThresholdMatrix& matrix)
     : state_(std::make_unique<const State>(palette, matrix)) {}
@@ -80,29 +65,25 @@ PaletteOrdered::~PaletteOrdered() = default;
 void PaletteOrdered::row(int y, std::span<const float> rgb, std::span<std::uint16_t> indices,
                          std::span<const float> strength) const {
   const MixPalette& palette = *state_->palette;
-  const ThresholdMatrix& matrix = state_->matrix;
-  const std::uint16_t* ranks = matrix.row(y);
-  const auto first = static_cast<std::size_t>(matrix.column(y));
-  const std::size_t count = indices.size();
-  std::array<std::vector<float>, 3> planes;
-  for (auto& plane : planes) plane.resize(count);
-  palette.from_light_row(rgb, {planes[0].data(), planes[1].data(), planes[2].data()});
-  Color planned{-1, -1, -1};  // no colour of a picture
-  Plan plan{};
-  for (std::size_t x = 0; x < count; ++x) {
-    const std::uint16_t rank = ranks[(first + x) % static_cast<std::size_t>(matrix.width)];
-    Color color{planes[0][x], planes[1][x], planes[2][x]};
-    if (!strength.empty()) color = weakened(palette, color, strength[x]);
-    if (palette.size() == 2) {
-      indices[x] = static_cast<std::uint16_t>(pair_entry(palette, color, matrix, rank));
-      continue;
+  std::array<std::array<float, kBlock>, 3> planes;
+  std::array<float, kBlock> thresholds;
+  const std::array<float*, 3> colors{planes[0].data(), planes[1].data(), planes[2].data()};
+  for (std::size_t x = 0; x < indices.size(); x += kBlock) {
+    const std::size_t count = std::min(kBlock, indices.size() - x);
+    palette.from_light_row(rgb.subspan(3 * x, 3 * count), colors);
+    for (std::size_t i = 0; i < count && !strength.empty(); ++i) {
+      const Color weak =
+          weakened(palette, {planes[0][i], planes[1][i], planes[2][i]}, strength[x + i]);
+      for (std::size_t c = 0; c < 3; ++c) planes[c][i] = weak[c];
     }
-    if (color != planned) {
-      plan = state_->plan(color);
-      planned = color;
+    state_->copy_thresholds(y, x, count, thresholds.data());
+    const std::array<const float*, 3> from{colors[0], colors[1], colors[2]};
+    const std::span<std::uint16_t> out = indices.subspan(x, count);
+    if (state_->plans) {
+      state_->plans->entry_row(from, thresholds.data(), out);
+    } else {
+      state_->mixtures.entry_row(from, thresholds.data(), out);
     }
-    const std::size_t at = rank * plan.size() / static_cast<std::size_t>(matrix.ranks);
-    indices[x] = static_cast<std::uint16_t>(plan[at]);
   }
 }
 

@@ -113,10 +113,10 @@ class MixPalette {
 void palette_nearest_row(const MixPalette& palette, std::span<const float> rgb,
                          std::span<std::uint16_t> indices);
 
-/// Ordered dither to any palette by plans of entries whose mean is a colour: each is the nearest to
-/// what the ones before it still owe; sorted by luminance, the matrix's rank picks one [Knoll08].
-/// Entries are shown as themselves. Of a palette of two the fraction of the way between them is
-/// dithered as levels are.
+/// Ordered dither to any palette: of the mixtures of entries whose mean is a colour that of least
+/// spread, brightest entry first, the matrix's threshold picking one; docs/palettes.md. Entries are
+/// shown as themselves. Of a palette of two it is the levels' rule of ordered dither. Palettes of
+/// more than 1024 entries mix by plans of 16 nearest to what is owed yet in the metric [Knoll08].
 class PaletteOrdered {
  public:
   PaletteOrdered(const MixPalette& palette, const ThresholdMatrix& matrix);
