@@ -28,8 +28,8 @@ LevelRows vector_rows() { return {}; }
 #include "lib/dither/row_blocks-inl.h"
 #include "lib/dither/step_table-inl.h"
 
-constexpr int kMostVectors =
-    4;  // chains that a processor overlaps, each waiting for its last error
+// Chains that a processor overlaps, each waiting for its last error.
+constexpr int kMostVectors = 4;
 
 struct Choice {
   Vec light;

@@ -36,6 +36,7 @@ struct PaletteRowsBand {
   ImageView<std::uint16_t> indices;
 };
 
+/// Where groups of rows meet, by channel.
 struct PaletteMeetingRows {
   PaletteMeetingRows(int width, const SkewedRows& rows, int lanes)
       : channel{MeetingRows(width, rows, lanes), MeetingRows(width, rows, lanes),
@@ -44,8 +45,8 @@ struct PaletteMeetingRows {
   std::array<MeetingRows, 3> channel;
 };
 
-/// Diffusion of rows to a palette as PaletteDiffusion defines it, bit for bit. Takes
-/// up to `lanes` rows side by side.
+/// Diffusion of rows to a palette as PaletteDiffusion defines it, bit for bit. Takes up to
+/// `lanes` rows side by side.
 struct PaletteRows {
   std::string_view name;  // instruction set
   int lanes = 0;
