@@ -50,10 +50,12 @@ constexpr NamedFigure kFigures[] = {{"tone_max", &DitherFigures::tone_lstar},
                                     {"hvs_snr@40", &DitherFigures::hvs_snr_db},
                                     {"scielab_mean@40", &DitherFigures::scielab_mean}};
 
-std::vector<const NamedDither*> chosen_dithers(const std::string& names) {
+std::vector<const NamedDither*> chosen_dithers(const std::string& names, const Display& display) {
   std::vector<const NamedDither*> chosen;
   if (names.empty()) {
-    for (const NamedDither& dither : dither_methods()) chosen.push_back(&dither);
+    for (const NamedDither& dither : dither_methods()) {
+      if (takes_dither(display, dither.method)) chosen.push_back(&dither);
+    }
     return chosen;
   }
   for (const std::string_view name : split(names, ',')) {
@@ -211,13 +213,13 @@ void check(const Options& options) {
 
 void gallery(const Options& options) {
   check(options);
-  const std::vector<const NamedDither*> dithers = chosen_dithers(options.dithers);
+  const Display display = options.device.empty() ? one_bit_display() : load_display(options.device);
+  const std::vector<const NamedDither*> dithers = chosen_dithers(options.dithers, display);
   const bool folder = is_folder(options.output);
   const std::vector<std::string> outputs =
       folder ? names_in(options.output, dithers) : std::vector<std::string>{options.output};
   refuse_inputs_as_outputs(options.inputs, outputs);
   refuse_taken_outputs(outputs, options.force);
-  const Display display = options.device.empty() ? one_bit_display() : load_display(options.device);
   if (display.frame.packing.indexed && display.palette.empty()) {
     throw Error(ErrorKind::kMisuse, "--device", display.name + " has no palette of its own",
                 "give a device with one");
@@ -250,7 +252,8 @@ void run_halftone_gallery(Arguments arguments) {
               options.output);
   line.option("-d,--device", "D", "to dither for; default: one bit, black and white",
               options.device);
-  line.option("--dithers", "NAME,...", "methods to try; default: all", options.dithers);
+  line.option("--dithers", "NAME,...", "methods to try; default: all that the device takes",
+              options.dithers);
   line.option("--width", "N", "of the picture on the sheet; default: 256",
               [&options](const std::string& v) {
                 options.settings.width = integer_option("--width", v, 16, 4096);

@@ -1,13 +1,17 @@
 #include "tristim/pipeline/dither_trial.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include "tristim/color/transfer.h"
 #include "tristim/core/find.h"
 #include "tristim/image/memory.h"
 #include "tristim/measure/tone.h"
 #include "tristim/measure/vision.h"
+#include "tristim/pipeline/chain.h"
+#include "tristim/pipeline/proof.h"
 #include "tristim/pipeline/run.h"
 
 namespace tristim {
@@ -44,20 +48,42 @@ class CodeCollector : public CodeSink {
   int next_ = 0;
 };
 
-// What the codes look like where picture black is the display's, as the reducer has it.
-void decode(const Display& display, ImageView<const std::uint16_t> codes, ImageView<float> light) {
-  const std::vector<Rgb> palette = palette_light(display, BlackPoint::kRelative);
-  if (palette.empty()) return Decoder(display).decode(codes, light);
-  for (int y = 0; y < codes.height; ++y) {
-    for (int x = 0; x < codes.width; ++x) {
-      const Rgb& color = palette[*codes.pixel(x, y)];
-      float* to = light.pixel(x, y);
-      to[0] = static_cast<float>(color.r);
-      to[1] = static_cast<float>(color.g);
-      to[2] = static_cast<float>(color.b);
+// The light that picture black becomes, as the reducer has it.
+Rgb black_light(const Display& display) {
+  if (display.press) return darkest_print(*display.press);
+  if (!display.palette_has_white) return {};
+  const Eigen::RowVector3d weights = xyz_from_rgb(display.primaries).row(1);
+  const auto luminance = [&](const Rgb& c) -> double {
+    return weights * Eigen::Vector3d(c.r, c.g, c.b);
+  };
+  const std::vector<Rgb> palette = palette_light(display, BlackPoint::kAbsolute);
+  return palette.empty() ? Rgb{} : *std::ranges::min_element(palette, {}, luminance);
+}
+
+// Takes light of a display into a picture where that of picture black is 0.
+class RelativeLightSink final : public RowSink {
+ public:
+  RelativeLightSink(Rgb black, Image& picture)
+      : black_{black.r, black.g, black.b}, picture_(&picture) {}
+  void write(ImageView<const float> rows) override {
+    for (int y = 0; y < rows.height; ++y, ++next_) {
+      const std::span<const float> from = rows.row(y);
+      const std::span<float> to = picture_->view().row(next_);
+      for (std::size_t i = 0; i < from.size(); ++i) {
+        const double black = black_[i % 3];
+        to[i] = static_cast<float>((from[i] - black) / (black < kNoRange ? 1 - black : 1));
+      }
     }
   }
-}
+  void finish() override {}
+
+ private:
+  static constexpr double kNoRange = 1 - 1e-6;  // a channel in which black is as bright as white
+
+  std::array<double, 3> black_;
+  Image* picture_;
+  int next_ = 0;
+};
 
 // A picture whose columns are greys: srgb(x) is the code of column x, [0, 1].
 template <typename Code>
@@ -85,12 +111,17 @@ DitheredPicture dither_picture(ImageView<const float> light, const DitherTrial& 
   ReduceOptions options;
   options.dither = trial.dither.method;
   options.parameters = trial.parameters;
+  options.parameters.screen = screen_parameters(trial.display, trial.parameters.screen);
   Reducer reducer(trial.display, options, light.width);
   DitheredPicture result{Raster<std::uint16_t>(light.width, light.height, reducer.samples()),
                          Image(light.width, light.height, 3)};
   CodeCollector collector(result.codes);
   run(source, {}, reducer, collector);
-  decode(trial.display, result.codes.view(), result.light.view());
+  const auto decode = decoding_sink(
+      trial.display, std::make_unique<RelativeLightSink>(black_light(trial.display), result.light),
+      seen_dots(trial.display, options));
+  decode->write(result.codes.view());
+  decode->finish();
   result.light = shown_light(result.light.view(), trial.display);
   return result;
 }
@@ -105,7 +136,7 @@ Image shown_light(ImageView<const float> light, const Display& display) {
       float* p = shown.view().pixel(x, y);
       Eigen::Vector3d c = matrix * Eigen::Vector3d(p[0], p[1], p[2]);
       if (grey) c.setConstant(weights.dot(c));
-      for (int i = 0; i < 3; ++i) p[i] = static_cast<float>(std::clamp(c[i], 0.0, 1.0));
+      for (int i = 0; i < 3; ++i) p[i] = static_cast<float>(c[i]);
     }
   }
   return shown;

@@ -18,14 +18,14 @@ namespace {
 using Target = std::variant<detail::LevelReducer, detail::PaletteReducer, detail::InkReducer>;
 
 Target make_target(const Display& display, const ReduceOptions& options, int width) {
-  const auto* whole = std::get_if<WholePictureDither>(&options.dither);
-  if (display.press) return detail::InkReducer(display, options, width);
-  if (!display.frame.packing.indexed) return detail::LevelReducer(display, options, width);
-  if (whole != nullptr && !display.palette.empty()) {
-    throw std::invalid_argument("dither: " + std::string(whole->name) +
+  if (!takes_dither(display, options.dither)) {
+    const auto& whole = std::get<WholePictureDither>(options.dither);
+    throw std::invalid_argument("dither: " + std::string(whole.name) +
                                 " works on the levels of channels, not on a palette; use a "
                                 "kernel such as floyd-steinberg");
   }
+  if (display.press) return detail::InkReducer(display, options, width);
+  if (!display.frame.packing.indexed) return detail::LevelReducer(display, options, width);
   return detail::PaletteReducer(display, options, width);
 }
 
@@ -44,6 +44,12 @@ const NamedDither& default_dither(const Display& display) {
   if (display.press) name = "screen";
   if (least_bits >= 8 && !packing.indexed && display.palette.empty()) name = "none";
   return *find_by_name(dither_methods(), name);
+}
+
+bool takes_dither(const Display& display, const DitherMethod& dither) noexcept {
+  const bool palette =
+      display.frame.packing.indexed && !display.palette.empty() && !display.press.has_value();
+  return !palette || !std::holds_alternative<WholePictureDither>(dither);
 }
 
 struct Reducer::State {

@@ -132,6 +132,28 @@ TEST(DitherTrial, DefaultHasAnEvenTexture) {
   EXPECT_LE(texture->edge_bias, 0.1);
 }
 
+// Smaller dots that grow on paper have the tone of those that do not.
+TEST(DitherTrial, SeesDotsWithTheirGain) {
+  Display laser = load_display("laser-300");
+  laser.dots->gain = MurrayDaviesGain{0.2};
+  const NamedDither& blue = *find_by_name(dither_methods(), "blue-noise");
+  EXPECT_LE(dither_tone({laser, blue}), kToneBound);  // measured: .04
+  // Four inks of which the sum is black; they meet by chance.
+  const Display press = load_display("offset-cmyk");
+  EXPECT_LE(dither_tone({press, blue}), 0.5);  // measured: .34
+}
+
+TEST(TakesDither, MethodsForWholePicturesTakeNoPalette) {
+  const NamedDither& search = *find_by_name(dither_methods(), "direct-search");
+  const NamedDither& kernel = *find_by_name(dither_methods(), "floyd-steinberg");
+  for (const char* device : {"vga16", "offset-cmyk", "laser-300", "lcd-rgb565"}) {
+    SCOPED_TRACE(device);
+    const Display display = load_display(device);
+    EXPECT_EQ(takes_dither(display, search.method), std::string_view(device) != "vga16");
+    EXPECT_TRUE(takes_dither(display, kernel.method));
+  }
+}
+
 TEST(DitherTrial, ShowsCodesAsLight) {
   const Display display = one_bit_display();
   const Image ramp = grey_ramp(64, 8);

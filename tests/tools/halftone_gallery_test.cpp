@@ -41,6 +41,9 @@ TEST_F(HalftoneGallery, TakesOtherDevices) {
   const auto json = parsed(
       good("halftone gallery s.exr --width 32 --dithers bayer16 -d epaper-4grey -o s.png --json"));
   EXPECT_LT(json["dithers"][0]["tone_max"], 0.5);
+  const auto press = parsed(good(
+      "halftone gallery s.exr --width 32 --dithers blue-noise -d offset-cmyk -o p.png --json"));
+  EXPECT_LT(press["dithers"][0]["tone_max"], 0.5);
 }
 
 TEST_F(HalftoneGallery, TellsMistakes) {

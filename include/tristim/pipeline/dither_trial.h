@@ -18,7 +18,7 @@ struct DitherTrial {
 };
 
 /// Codes of a picture, and what they look like: light in sRGB's primaries, relative to the black
-/// and the white of a palette.
+/// and the white of a palette; of dots with their gain.
 struct DitheredPicture {
   Raster<std::uint16_t> codes;
   Image light;
@@ -27,7 +27,7 @@ struct DitheredPicture {
 /// `light` (three channels in the display's primaries) as the trial dithers it.
 DitheredPicture dither_picture(ImageView<const float> light, const DitherTrial& trial);
 
-/// Light of a display's primaries as that of sRGB's, within [0, 1]; grey where the display is.
+/// Light of a display's primaries as that of sRGB's, not clipped; grey where the display is.
 Image shown_light(ImageView<const float> light, const Display& display);
 
 /// How good what became of a picture is, to a viewer of 40 samples per degree.

@@ -17,6 +17,10 @@ namespace tristim {
 /// chosen for a picture, Floyd-Steinberg for the rest.
 const NamedDither& default_dither(const Display& display);
 
+/// Whether a dither works on a display: those for whole pictures take channels and inks, not
+/// palettes.
+bool takes_dither(const Display& display, const DitherMethod& dither) noexcept;
+
 struct ReduceOptions {
   DitherMethod dither = NoDither{};
   DitherParameters parameters;
@@ -30,7 +34,7 @@ struct ReduceOptions {
 class Reducer {
  public:
   /// For pictures of `width` pixels. Throws std::invalid_argument for an indexed display without
-  /// palette.
+  /// palette and for a dither that the display does not take.
   Reducer(const Display& display, const ReduceOptions& options, int width);
   Reducer(Reducer&&) noexcept;
   ~Reducer();
