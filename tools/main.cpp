@@ -8,6 +8,7 @@
 #include "tristim/core/error.h"
 #include "tristim/core/file.h"
 #include "tristim/core/find.h"
+#include "tristim/core/instruction_sets.h"
 #include "tristim/core/version.h"
 
 namespace tristim::tools {
@@ -38,7 +39,11 @@ std::string help() {
     text += line + std::string(command.summary) + "\n";
   }
   text +=
-      "\ntristim <command> --help tells the options of a command.\n\nExamples:\n"
+      "\ntristim <command> --help tells the options of a command.\n\n"
+      "The environment variable TRISTIM_SIMD chooses the instructions that pixels are\n"
+      "worked on with, of those here: " +
+      list_names(instruction_sets()) +
+      ".\nAll of them give the same bytes; process --explain tells which ran.\n\nExamples:\n"
       "  tristim render spheres -o spheres.exr\n"
       "  tristim process spheres.exr --device epaper-7color --tone-map reinhard:6 -o epaper.png\n"
       "  tristim convert --from rgb --to lab '#ff8000'\n"
@@ -80,6 +85,7 @@ int main(int argc, char** argv) {
   tristim::tools::set_up_signals();
   const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
   try {
+    tristim::check_instruction_set();
     tristim::tools::run(arguments);
     return 0;
   } catch (const tristim::Error& error) {

@@ -102,7 +102,12 @@ std::vector<StepReport> write_picture(const ProcessOptions& options, const Palet
                                 fit_step(options.settings, prepared.file_info, info)};
   for (const Stage& stage : stages.stages) steps.push_back(tristim::explain(stage));
   if (palette.step) steps.push_back(*palette.step);
-  for (StepReport& step : reducer.explain()) steps.push_back(std::move(step));
+  std::string codes;
+  for (StepReport& step : reducer.explain()) {
+    codes += (codes.empty() ? "" : ", ") + step.name;
+    steps.push_back(std::move(step));
+  }
+  steps.push_back(explain(plan_chain(stages.stages, reducer.leads()), codes));
   steps.push_back(write_step(job, display.frame));
   add_counts(steps, job);
   return steps;

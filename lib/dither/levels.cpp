@@ -1,7 +1,5 @@
 #include "tristim/dither/levels.h"
 
-#include <algorithm>
-
 #include "lib/dither/step_table.h"
 
 namespace tristim {
@@ -23,11 +21,6 @@ void NearestLevel::row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out
   } else {
     for (int x = 0; x < in.width; ++x) out[x] = (*table_)(in[x]);
   }
-}
-
-bool NearestLevel::operator==(const NearestLevel& other) const noexcept {
-  return std::ranges::equal(search_.thresholds(), other.search_.thresholds()) &&
-         code_ == other.code_;
 }
 
 }  // namespace tristim

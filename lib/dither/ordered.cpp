@@ -28,10 +28,10 @@ struct OrderedDither::State {
     }
   }
 
-  detail::OrderedRow row(int y) const noexcept {
+  detail::OrderedRow row(int x, int y) const noexcept {
     const auto tile_row = static_cast<std::size_t>(y % tile.height);
-    return {&levels, least.data() + tile_row * stride, period,
-            static_cast<std::size_t>(tile.column(y))};
+    const auto column = static_cast<std::size_t>(tile.column(y)) + static_cast<std::size_t>(x);
+    return {&levels, least.data() + tile_row * stride, period, column % period};
   }
 };
 
@@ -39,32 +39,18 @@ OrderedDither::OrderedDither(const MixLevels& levels, const ThresholdMatrix& mat
     : state_(std::make_shared<const State>(levels, matrix)) {}
 
 void OrderedDither::row(ChannelRow<const float> in, int y, ChannelRow<std::uint16_t> out,
-                        std::span<const float> strength) const {
+                        std::span<const float> strength, int x0) const {
   const auto count = static_cast<std::size_t>(in.width);
   const float* part = strength.empty() ? nullptr : strength.data();
-  const detail::OrderedRow row = state_->row(y);
+  const detail::OrderedRow row = state_->row(x0, y);
   if (in.step == 1 && out.step == 1) {
-    return state_->kernels->grey(row, in.data, part, count, out.data);
+    return state_->kernels->row(row, in.data, part, count, out.data);
   }
   std::vector<float> light(count);
   std::vector<std::uint16_t> codes(count);
   for (int x = 0; x < in.width; ++x) light[static_cast<std::size_t>(x)] = in[x];
-  state_->kernels->grey(row, light.data(), part, count, codes.data());
+  state_->kernels->row(row, light.data(), part, count, codes.data());
   for (int x = 0; x < in.width; ++x) out[x] = codes[static_cast<std::size_t>(x)];
-}
-
-void OrderedDither::rgb_row(const OrderedDither* const (&channels)[3], std::span<const float> in,
-                            int y, std::span<std::uint16_t> out, std::span<const float> strength) {
-  const auto is_searched = [](const OrderedDither* dither) {
-    return dither->state_->levels.way == detail::LevelsWay::kSearch;
-  };
-  const detail::OrderedKernels& kernels = std::ranges::any_of(channels, is_searched)
-                                              ? detail::scalar_ordered_kernels()
-                                              : *channels[0]->state_->kernels;
-  const detail::OrderedRow rows[3] = {channels[0]->state_->row(y), channels[1]->state_->row(y),
-                                      channels[2]->state_->row(y)};
-  kernels.rgb(rows, in.data(), strength.empty() ? nullptr : strength.data(), out.size() / 3,
-              out.data());
 }
 
 }  // namespace tristim

@@ -74,8 +74,8 @@ std::uint16_t ordered_code(const OrderedRow& row, std::size_t column, float ligh
   return static_cast<std::uint16_t>(levels.codes[mix.lower + (mix.steps >= least ? 1U : 0U)]);
 }
 
-void scalar_grey(const OrderedRow& row, const float* in, const float* strength, std::size_t count,
-                 std::uint16_t* out) {
+void scalar_row(const OrderedRow& row, const float* in, const float* strength, std::size_t count,
+                std::uint16_t* out) {
   std::size_t column = row.column;
   for (std::size_t x = 0; x < count; ++x) {
     out[x] = ordered_code(row, column, in[x], strength == nullptr ? nullptr : strength + x);
@@ -83,22 +83,10 @@ void scalar_grey(const OrderedRow& row, const float* in, const float* strength, 
   }
 }
 
-void scalar_rgb(const OrderedRow (&rows)[3], const float* in, const float* strength,
-                std::size_t count, std::uint16_t* out) {
-  std::size_t column[3] = {rows[0].column, rows[1].column, rows[2].column};
-  for (std::size_t x = 0; x < count; ++x) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      out[3 * x + c] = ordered_code(rows[c], column[c], in[3 * x + c],
-                                    strength == nullptr ? nullptr : strength + x);
-      if (++column[c] == rows[c].period) column[c] = 0;
-    }
-  }
-}
-
 }  // namespace
 
 const OrderedKernels& scalar_ordered_kernels() noexcept {
-  static constexpr OrderedKernels kScalar{"scalar", scalar_grey, scalar_rgb};
+  static constexpr OrderedKernels kScalar{"scalar", scalar_row};
   return kScalar;
 }
 

@@ -71,12 +71,8 @@ struct OrderedKernels {
   std::string_view name;
 
   /// `count` samples of a channel. `strength`: a number for each pixel, or nullptr.
-  void (*grey)(const OrderedRow& row, const float* in, const float* strength, std::size_t count,
-               std::uint16_t* out) = nullptr;
-
-  /// `count` pixels of three interleaved channels.
-  void (*rgb)(const OrderedRow (&rows)[3], const float* in, const float* strength,
-              std::size_t count, std::uint16_t* out) = nullptr;
+  void (*row)(const OrderedRow& row, const float* in, const float* strength, std::size_t count,
+              std::uint16_t* out) = nullptr;
 };
 
 /// The definition.

@@ -227,8 +227,8 @@ void reduce_row(Find find, const OrderedRow& row, const float* in, const float* 
   std::copy_n(rest_out.begin(), count - x, out + x);
 }
 
-void grey(const OrderedRow& row, const float* in, const float* strength, std::size_t count,
-          std::uint16_t* out) {
+void row_of(const OrderedRow& row, const float* in, const float* strength, std::size_t count,
+            std::uint16_t* out) {
   const OrderedLevels* levels = row.levels;
   const auto by = [&](auto find) { reduce_row(find, row, in, strength, count, out); };
 #if TRISTIM_GUESSES
@@ -245,49 +245,11 @@ void grey(const OrderedRow& row, const float* in, const float* strength, std::si
     case LevelsWay::kBins:
       return by(Mixed<LevelsInBins>{{levels}});
     case LevelsWay::kSearch:
-      return scalar_ordered_kernels().grey(row, in, strength, count, out);
+      return scalar_ordered_kernels().row(row, in, strength, count, out);
   }
 }
 
-// In blocks of planes, which stay in the first cache: each channel may have a way of its own.
-void rgb(const OrderedRow (&rows)[3], const float* in, const float* strength, std::size_t count,
-         std::uint16_t* out) {
-  constexpr std::size_t kBlock = 512;
-  alignas(64) std::array<std::array<float, kBlock>, 3> light;
-  alignas(64) std::array<std::array<std::uint16_t, kBlock>, 3> code;
-  const Floats f;
-  const Codes c;
-  const std::size_t lanes = hn::Lanes(f);
-  OrderedRow at[3] = {rows[0], rows[1], rows[2]};
-  for (std::size_t x = 0; x < count; x += kBlock) {
-    const std::size_t size = std::min(kBlock, count - x);
-    std::size_t i = 0;
-    for (; i + lanes <= size; i += lanes) {
-      Float r, g, b;
-      hn::LoadInterleaved3(f, in + 3 * (x + i), r, g, b);
-      hn::Store(r, f, &light[0][i]);
-      hn::Store(g, f, &light[1][i]);
-      hn::Store(b, f, &light[2][i]);
-    }
-    for (; i < size; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) light[k][i] = in[3 * (x + i) + k];
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float* s = strength == nullptr ? nullptr : strength + x;
-      grey(at[k], light[k].data(), s, size, code[k].data());
-      at[k].column = (at[k].column + size) % at[k].period;
-    }
-    for (i = 0; i + lanes <= size; i += lanes) {
-      hn::StoreInterleaved3(hn::Load(c, &code[0][i]), hn::Load(c, &code[1][i]),
-                            hn::Load(c, &code[2][i]), c, out + 3 * (x + i));
-    }
-    for (; i < size; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) out[3 * (x + i) + k] = code[k][i];
-    }
-  }
-}
-
-OrderedKernels vector_kernels() { return {hwy::TargetName(HWY_TARGET), grey, rgb}; }
+OrderedKernels vector_kernels() { return {hwy::TargetName(HWY_TARGET), row_of}; }
 
 #endif
 

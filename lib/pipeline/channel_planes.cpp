@@ -8,14 +8,16 @@
 
 namespace tristim::detail {
 
-void split_rows(ImageView<float> rgb) {
+StageCounts split_rows(ImageView<float> rgb, const RowLead& lead) {
   const auto width = static_cast<std::size_t>(rgb.width);
   std::vector<float> pixels(3 * width);
+  StageCounts counts;
   for (int y = 0; y < rgb.height; ++y) {
     const std::span<float> row = rgb.row(y);
     std::ranges::copy(row, pixels.begin());
-    split_row(pixels, {row.data(), row.data() + width, row.data() + 2 * width});
+    counts += lead.split(pixels, {row.data(), row.data() + width, row.data() + 2 * width});
   }
+  return counts;
 }
 
 void join_rows(ImageView<std::uint16_t> rgb) {

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 
+#include "lib/pipeline/stage_rows.h"
 #include "tristim/image/view.h"
 
 namespace tristim::detail {
 
-/// Rows of interleaved pixels of three channels, in place, to rows of one channel after the other.
-void split_rows(ImageView<float> rgb);
+/// Rows of interleaved pixels of three channels, in place, to rows of one channel after the other,
+/// with the lead before.
+StageCounts split_rows(ImageView<float> rgb, const RowLead& lead);
 
 /// The way back.
 void join_rows(ImageView<std::uint16_t> rgb);

@@ -28,12 +28,12 @@ void to_mix(Mix mix, ChannelRow<float> row) noexcept {
 }
 
 void reduce_row(ChannelReducer& reducer, Mix mix, ChannelRow<float> in, int y,
-                ChannelRow<std::uint16_t> out, std::span<const float> strength) {
+                ChannelRow<std::uint16_t> out, std::span<const float> strength, int x) {
   const ChannelRow<const float> light{in.data, in.width, in.step};
   if (auto* nearest = std::get_if<NearestLevel>(&reducer)) return nearest->row(light, out);
   to_mix(mix, in);
   if (auto* ordered = std::get_if<OrderedDither>(&reducer)) {
-    return ordered->row(light, y, out, strength);
+    return ordered->row(light, y, out, strength, x);
   }
   std::get<LevelDiffusion>(reducer).row(light, out, strength);
 }

@@ -29,9 +29,10 @@ ChannelReducer channel_reducer(const LevelScale& scale, const ReduceOptions& opt
 /// Light to the numbers of the mix, in place.
 void to_mix(Mix mix, ChannelRow<float> row) noexcept;
 
-/// Row `y` of a picture, by every reducer but those that need all of it. `in` is scratch.
+/// Of row `y` of a picture the pixels from `x` on, by every reducer but those that need all of it;
+/// error diffusion wants whole rows. `in` is scratch.
 void reduce_row(ChannelReducer& reducer, Mix mix, ChannelRow<float> in, int y,
-                ChannelRow<std::uint16_t> out, std::span<const float> strength);
+                ChannelRow<std::uint16_t> out, std::span<const float> strength, int x = 0);
 
 /// The strength of a row's pixels: the mask's, times that of the whole; empty where the dither is
 /// whole everywhere.

@@ -60,8 +60,12 @@ struct Reducer::State {
   State(const Display& d, const ReduceOptions& o, int width)
       : display(d), options(o), target(make_target(display, options, width)) {}
 
-  void reduce(const Band& band, ImageView<std::uint16_t> codes, int threads) {
-    std::visit([&](auto& to) { to.reduce(band, codes, threads); }, target);
+  // Of a target that works on whole colours.
+  void reduce_colors(const Band& band, ImageView<std::uint16_t> codes, int threads) {
+    if (auto* palette = std::get_if<detail::PaletteReducer>(&target)) {
+      palette->reduce(band, codes, threads);
+    }
+    if (auto* inks = std::get_if<detail::InkReducer>(&target)) inks->reduce(band, codes, threads);
   }
 };
 
@@ -78,7 +82,7 @@ bool Reducer::whole_picture() const noexcept {
 }
 
 void Reducer::reduce(Band band, ImageView<std::uint16_t> codes, int threads) {
-  prepare(band, codes, threads);
+  prepare(band, codes, {}, threads);
   for (int chain = 0; chain < chains(); ++chain) advance(chain, band, codes, threads);
   finish(codes);
 }
@@ -88,16 +92,25 @@ int Reducer::chains() const noexcept {
   return std::holds_alternative<detail::LevelReducer>(state_->target) ? samples() : 1;
 }
 
-void Reducer::prepare(Band band, ImageView<std::uint16_t> codes, int threads) {
-  if (chains() == 0) return state_->reduce(band, codes, threads);
-  if (auto* levels = std::get_if<detail::LevelReducer>(&state_->target)) levels->prepare(band);
+bool Reducer::leads() const noexcept {
+  const auto* levels = std::get_if<detail::LevelReducer>(&state_->target);
+  return levels != nullptr && levels->leads();
+}
+
+StageCounts Reducer::prepare(Band band, ImageView<std::uint16_t> codes, const Lead& lead,
+                             int threads) {
+  if (auto* levels = std::get_if<detail::LevelReducer>(&state_->target)) {
+    return chains() == 0 ? levels->reduce(band, codes, lead, threads) : levels->prepare(band, lead);
+  }
+  if (chains() == 0) state_->reduce_colors(band, codes, threads);
+  return {};
 }
 
 void Reducer::advance(int chain, Band band, ImageView<std::uint16_t> codes, int threads) {
   if (auto* levels = std::get_if<detail::LevelReducer>(&state_->target)) {
     return levels->advance(chain, band, codes, threads);
   }
-  state_->reduce(band, codes, threads);
+  state_->reduce_colors(band, codes, threads);
 }
 
 void Reducer::finish(ImageView<std::uint16_t> codes) const {

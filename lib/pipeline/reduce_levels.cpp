@@ -1,8 +1,10 @@
 #include "lib/pipeline/reduce_levels.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
+#include "lib/dither/planes.h"
 #include "lib/pipeline/channel_planes.h"
 #include "tristim/color/primaries.h"
 
@@ -78,11 +80,6 @@ LevelReducer::LevelReducer(const Display& display, const ReduceOptions& options,
     const ThresholdMatrix* matrix = matrices.empty() ? nullptr : &matrices[channel];
     channels_.push_back(channel_reducer(scales_.back(), options, matrix, c, width));
   }
-  alike_ = std::ranges::all_of(channels_, [this](const ChannelReducer& channel) {
-    const auto* first = std::get_if<NearestLevel>(&channels_.front());
-    const auto* nearest = std::get_if<NearestLevel>(&channel);
-    return first != nullptr && nearest != nullptr && *nearest == *first;
-  });
 }
 
 // The luminances of a row, in its first third; what dots gain is taken off.
@@ -97,33 +94,41 @@ std::span<float> LevelReducer::grey_row(std::span<float> rgb) const {
   return grey;
 }
 
-void LevelReducer::reduce_rgb_row(std::span<float> rgb, int y, std::span<std::uint16_t> out,
-                                  std::span<const float> strength) {
-  if (std::holds_alternative<OrderedDither>(channels_[0])) {  // three channels at once
-    to_mix(options_->mix, {rgb.data(), static_cast<int>(rgb.size()), 1});
-    const OrderedDither* dithers[3];
-    for (std::size_t c = 0; c < 3; ++c) dithers[c] = &std::get<OrderedDither>(channels_[c]);
-    return OrderedDither::rgb_row(dithers, rgb, y, out, strength);
-  }
-  if (alike_) {
-    const auto samples = static_cast<int>(rgb.size());
-    return std::get<NearestLevel>(channels_[0])
-        .row({rgb.data(), samples, 1}, {out.data(), samples, 1});
-  }
-  const auto width = static_cast<int>(rgb.size() / 3);
-  for (std::size_t c = 0; c < 3; ++c) {
-    reduce_row(channels_[c], options_->mix, {rgb.data() + c, width, 3}, y,
-               {out.data() + c, width, 3}, strength);
-  }
+bool LevelReducer::leads() const noexcept {
+  return !grey() && !std::holds_alternative<WholeChannel>(channels_[0]);
 }
 
-void LevelReducer::prepare(const Band& band) const {
-  if (!grey()) split_rows(band.view);
+// Some hundred pixels go all the way while they lie in the nearest cache.
+StageCounts LevelReducer::reduce_rgb_row(const RowLead& lead, std::span<const float> rgb, int y,
+                                         std::span<std::uint16_t> out,
+                                         std::span<const float> strength) {
+  constexpr std::size_t kTogether = 512;
+  alignas(64) std::array<std::array<float, kTogether>, 3> light;
+  alignas(64) std::array<std::array<std::uint16_t, kTogether>, 3> code;
+  StageCounts counts;
+  for (std::size_t x = 0; 3 * x < rgb.size(); x += kTogether) {
+    const std::size_t count = std::min(kTogether, rgb.size() / 3 - x);
+    const auto width = static_cast<int>(count);
+    counts += lead.split(rgb.subspan(3 * x, 3 * count),
+                         {light[0].data(), light[1].data(), light[2].data()});
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto part = strength.empty() ? strength : strength.subspan(x, count);
+      reduce_row(channels_[c], options_->mix, {light[c].data(), width, 1}, y,
+                 {code[c].data(), width, 1}, part, static_cast<int>(x));
+    }
+    join_row({code[0].data(), code[1].data(), code[2].data()}, out.subspan(3 * x, 3 * count));
+  }
+  return counts;
+}
+
+StageCounts LevelReducer::prepare(const Band& band, const Lead& lead) const {
+  const StageCounts counts = grey() ? StageCounts{} : split_rows(band.view, RowLead(lead));
   for (int y = 0; y < band.view.height; ++y) {
     const std::span<float> row = band.view.row(y);
     const std::span<float> light = grey() ? grey_row(row) : row;
     to_mix(options_->mix, {light.data(), static_cast<int>(light.size()), 1});
   }
+  return counts;
 }
 
 void LevelReducer::advance(int channel, const Band& band, ImageView<std::uint16_t> codes,
@@ -170,22 +175,28 @@ void LevelReducer::reduce_whole(const Band& band, ImageView<std::uint16_t> codes
   }
 }
 
-void LevelReducer::reduce(Band band, ImageView<std::uint16_t> codes, int threads) {
-  const float strength = options_->parameters.strength;
-  if (std::holds_alternative<WholeChannel>(channels_[0])) return reduce_whole(band, codes, threads);
+StageCounts LevelReducer::reduce(Band band, ImageView<std::uint16_t> codes, const Lead& lead,
+                                 int threads) {
+  if (std::holds_alternative<WholeChannel>(channels_[0])) {
+    reduce_whole(band, codes, threads);
+    return {};
+  }
+  const RowLead row_lead(lead);
+  StageCounts counts;
   for (int row = 0; row < band.view.height; ++row) {
-    const std::vector<float> shares = row_strength(band, row, strength);
+    const std::vector<float> shares = row_strength(band, row, options_->parameters.strength);
     const std::span<float> rgb = band.view.row(row);
     const std::span<std::uint16_t> out = codes.row(row);
     const int y = band.y0 + row;
     if (!grey()) {
-      reduce_rgb_row(rgb, y, out, shares);
+      counts += reduce_rgb_row(row_lead, rgb, y, out, shares);
       continue;
     }
     const int width = band.view.width;
     reduce_row(channels_[0], options_->mix, {grey_row(rgb).data(), width, 1}, y,
                {out.data(), width, 1}, shares);
   }
+  return counts;
 }
 
 }  // namespace tristim::detail

@@ -79,50 +79,63 @@ Image read_mask(RowSource& mask, int rows) {
   return strength;
 }
 
-// Copies a row for the observers that want it after so many stages.
-void keep_wanted(Work& work, std::span<BandObserver* const> observers, int stages_done, int row) {
-  for (std::size_t i = 0; i < observers.size(); ++i) {
-    if (observers[i]->light_after() != stages_done) continue;
-    const ImageView<float> light = work.light_view();
-    if (row == 0) work.wanted[i] = Image(light.width, light.height, light.channels);
-    std::ranges::copy(light.row(row), work.wanted[i].view().row(row).begin());
+// What an observer wants to see. A copy goes its own way there: the codes' plan makes no such
+// light.
+struct Wanted {
+  bool any = false;
+  Plan plan;
+};
+
+std::vector<Wanted> wanted_light(std::span<BandObserver* const> observers,
+                                 std::span<const Stage> stages) {
+  std::vector<Wanted> wanted;
+  for (const BandObserver* observer : observers) {
+    const int count = observer->light_after();
+    const bool any = count >= 0;
+    wanted.push_back(
+        {any, plan_chain(stages.first(any ? static_cast<std::size_t>(count) : 0), false)});
   }
+  return wanted;
 }
 
-// All stages of a row while it is in the nearest cache: what one of them does to a row does not
-// depend on the others.
-void apply_stages(std::span<const Stage> stages, Work& work,
-                  std::span<BandObserver* const> observers) {
+void keep_wanted(Work& work, std::span<const Wanted> wanted) {
   const ImageView<float> light = work.light_view();
-  for (int row = 0; row < light.height; ++row) {
-    keep_wanted(work, observers, 0, row);
-    for (std::size_t i = 0; i < stages.size(); ++i) {
-      apply(stages[i], {light.rows(row, 1), work.y0 + row, {}}, work.counts);
-      keep_wanted(work, observers, static_cast<int>(i) + 1, row);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!wanted[i].any) continue;
+    Image& kept = work.wanted[i] = Image(light.width, light.height, light.channels);
+    for (int y = 0; y < light.height; ++y) {
+      std::ranges::copy(light.row(y), kept.view().row(y).begin());
     }
+    StageCounts ignored;
+    apply(wanted[i].plan, {kept.view(), work.y0, {}}, ignored);
   }
 }
 
 }  // namespace
 
-int band_rows(const PictureInfo& info) noexcept {
-  constexpr std::int64_t kTogether = 64;  // rows that error diffusion works on at once
+int band_rows(const PictureInfo& info, bool in_order) noexcept {
+  constexpr std::int64_t kCacheBytes = 3 << 18;  // what a processor's own cache holds with codes
+  constexpr std::int64_t kTogether = 64;         // rows that error diffusion works on at once
   constexpr std::int64_t kMostRows = 256;
   const std::int64_t row_bytes = std::int64_t{info.width} * 3 * static_cast<int>(sizeof(float));
-  std::int64_t rows = std::clamp(kBandBytes / row_bytes, std::int64_t{1}, kMostRows);
-  if (rows > kTogether) rows -= rows % kTogether;
   const std::int64_t chunk = std::max(info.chunk_rows, 1);
-  return static_cast<int>(rows >= chunk ? rows / chunk * chunk : rows);
+  std::int64_t rows = std::clamp(kBandBytes / row_bytes, std::int64_t{1}, kMostRows);
+  if (!in_order) rows = std::min(rows, std::max(kCacheBytes / row_bytes, chunk));
+  if (in_order && rows > kTogether) rows -= rows % kTogether;
+  return static_cast<int>(std::max(rows >= chunk ? rows / chunk * chunk : rows, std::int64_t{1}));
 }
 
 StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reducer, CodeSink& sink,
                 std::span<BandObserver* const> observers, const RunOptions& options) {
   const PictureInfo& info = source.info();
-  const int wanted_rows = options.band_rows > 0 ? options.band_rows : band_rows(info);
+  const int wanted_rows =
+      options.band_rows > 0 ? options.band_rows : band_rows(info, reducer.chains() > 0);
   const int rows = reducer.whole_picture() ? info.height : wanted_rows;
   int next = 0;
   StageCounts total;
 
+  const Plan plan = plan_chain(stages, reducer.leads());
+  const std::vector<Wanted> wanted = wanted_light(observers, stages);
   WorkPool pool(info.width, std::min(rows, info.height), reducer.samples());
   const int threads = detail::thread_count(options.threads);
   detail::OrderedSteps steps;
@@ -140,8 +153,9 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
   };
   steps.work = [&](void* item) {
     Work& work = *static_cast<Work*>(item);
-    apply_stages(stages, work, observers);
-    reducer.prepare(work.light_band(), work.codes_view(), threads);
+    keep_wanted(work, wanted);
+    apply(plan, work.light_band(), work.counts);
+    work.counts += reducer.prepare(work.light_band(), work.codes_view(), plan.lead, threads);
   };
   for (int chain = 0; chain < reducer.chains(); ++chain) {
     steps.settle.emplace_back([&reducer, chain, threads](void* item) {
@@ -157,8 +171,7 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
       observers[i]->seen(work.wanted[i].view(), codes);
     }
     sink.write(codes);
-    total.out_of_gamut += work.counts.out_of_gamut;
-    total.clipped += work.counts.clipped;
+    total += work.counts;
   };
   steps.discard = [&](void* item) {
     pool.give_back(std::unique_ptr<Work>(static_cast<Work*>(item)));

@@ -1,10 +1,12 @@
 #include "tristim/pipeline/stage.h"
 
 #include <algorithm>
+#include <array>
 
 #include "lib/core/math.h"
 #include "lib/pipeline/stage_rows.h"
 #include "tristim/core/text.h"
+#include "tristim/pipeline/plan.h"
 
 namespace tristim {
 namespace {
@@ -18,11 +20,13 @@ void each_pixel(Band band, Change&& change) {
   }
 }
 
-void apply_stage(const Exposure& stage, Band band, StageCounts&) {
-  const auto gain = static_cast<float>(detail::pow(2, stage.stops));
-  each_pixel(band, [gain](float* p) {
-    for (int c = 0; c < 3; ++c) p[c] *= gain;
-  });
+// By themselves these are the plan of a chain of one.
+void apply_stage(const Exposure& stage, Band band, StageCounts& counts) {
+  apply(plan_chain(std::array{Stage(stage)}, false), band, counts);
+}
+
+void apply_stage(const ConvertPrimaries& stage, Band band, StageCounts& counts) {
+  apply(plan_chain(std::array{Stage(stage)}, false), band, counts);
 }
 
 void apply_stage(const ToneMap& stage, Band band, StageCounts&) {
@@ -34,18 +38,6 @@ void apply_stage(const ToneMap& stage, Band band, StageCounts&) {
     const float gain = stage.tone.luminance(luminance, white) / luminance;
     for (int c = 0; c < 3; ++c) p[c] *= gain;
   });
-}
-
-void apply_stage(const ConvertPrimaries& stage, Band band, StageCounts&) {
-  if (stage.matrix.isIdentity(0)) return;
-  float m[3][3];
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) m[i][j] = static_cast<float>(stage.matrix(i, j));
-  }
-  for (int y = 0; y < band.view.height; ++y) {
-    detail::stage_kernels().multiply(m, band.view.row(y).data(),
-                                     static_cast<std::size_t>(band.view.width));
-  }
 }
 
 // A pixel outside of [0, 1], or any where the method moves those inside as well.
@@ -72,9 +64,7 @@ void apply_stage(const GamutMap& stage, Band band, StageCounts& counts) {
     if (!clip) map_pixels(stage, row, counts);
     const StageCounts clipped =
         detail::stage_kernels().clip(row.data(), static_cast<std::size_t>(band.view.width));
-    if (!clip) continue;  // the method has counted them
-    counts.out_of_gamut += clipped.out_of_gamut;
-    counts.clipped += clipped.clipped;
+    if (clip) counts += clipped;  // another method has counted them itself
   }
 }
 

@@ -23,47 +23,105 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::ScalableTag<float>;
 using Float = hn::Vec<Floats>;
 
-void multiply(const float (&m)[3][3], float* rgb, std::size_t pixels) {
+struct Pixels {
+  Float r, g, b;
+};
+
+HWY_INLINE Pixels load(const float* rgb) {
+  Pixels p;
+  hn::LoadInterleaved3(Floats(), rgb, p.r, p.g, p.b);
+  return p;
+}
+
+HWY_INLINE void store(Pixels p, float* rgb) { hn::StoreInterleaved3(p.r, p.g, p.b, Floats(), rgb); }
+
+template <bool kDiagonal>
+HWY_INLINE Pixels multiplied(const RowMatrix& matrix, Pixels p) {
   const Floats f;
-  const std::size_t lanes = hn::Lanes(f);
+  const auto& m = matrix.m;
+  if (kDiagonal) {
+    return {hn::Set(f, m[0][0]) * p.r, hn::Set(f, m[1][1]) * p.g, hn::Set(f, m[2][2]) * p.b};
+  }
+  const auto row = [&](int k) {
+    return hn::Set(f, m[k][0]) * p.r + hn::Set(f, m[k][1]) * p.g + hn::Set(f, m[k][2]) * p.b;
+  };
+  return {row(0), row(1), row(2)};
+}
+
+// As the scalar code's comparisons, which NaN fails.
+HWY_INLINE Float held(Float v) {
+  const Floats f;
+#if HWY_ARCH_X86  // one instruction each
+  return hn::Min(hn::Max(v, hn::Zero(f)), hn::Set(f, 1.0F));
+#else
+  const Float positive = hn::IfThenElseZero(v > hn::Zero(f), v);
+  return hn::IfThenElse(positive > hn::Set(f, 1.0F), hn::Set(f, 1.0F), positive);
+#endif
+}
+
+HWY_INLINE void count_outside(Pixels p, StageCounts& counts) {
+  const Floats f;
+  const Float zero = hn::Zero(f);
+  const Float one = hn::Set(f, 1.0F);
+  const auto below = hn::Or(hn::Or(p.r < zero, p.g < zero), p.b < zero);
+  const auto above = hn::Or(hn::Or(p.r > one, p.g > one), p.b > one);
+  counts.out_of_gamut += hn::CountTrue(f, below);
+  counts.clipped += hn::CountTrue(f, above);
+}
+
+HWY_INLINE Pixels clipped(Pixels p, StageCounts& counts) {
+  const Pixels inside{held(p.r), held(p.g), held(p.b)};
+  const auto stays = hn::And(hn::And(inside.r == p.r, inside.g == p.g), inside.b == p.b);
+  if (!hn::AllTrue(Floats(), stays)) count_outside(p, counts);
+  return inside;
+}
+
+template <bool kDiagonal>
+void multiply_row(const RowMatrix& matrix, float* rgb, std::size_t pixels) {
+  const std::size_t lanes = hn::Lanes(Floats());
   std::size_t i = 0;
   for (; i + lanes <= pixels; i += lanes) {
-    Float r, g, b;
-    hn::LoadInterleaved3(f, rgb + 3 * i, r, g, b);
-    const auto row = [&](int k) {
-      return hn::Set(f, m[k][0]) * r + hn::Set(f, m[k][1]) * g + hn::Set(f, m[k][2]) * b;
-    };
-    hn::StoreInterleaved3(row(0), row(1), row(2), f, rgb + 3 * i);
+    store(multiplied<kDiagonal>(matrix, load(rgb + 3 * i)), rgb + 3 * i);
   }
-  scalar_stage_kernels().multiply(m, rgb + 3 * i, pixels - i);
+  scalar_stage_kernels().multiply(matrix, rgb + 3 * i, pixels - i);
+}
+
+void multiply(const RowMatrix& matrix, float* rgb, std::size_t pixels) {
+  const auto kernel = matrix.diagonal ? multiply_row<true> : multiply_row<false>;
+  kernel(matrix, rgb, pixels);
 }
 
 StageCounts clip(float* rgb, std::size_t pixels) {
+  const std::size_t lanes = hn::Lanes(Floats());
+  StageCounts counts;
+  std::size_t i = 0;
+  for (; i + lanes <= pixels; i += lanes) store(clipped(load(rgb + 3 * i), counts), rgb + 3 * i);
+  counts += scalar_stage_kernels().clip(rgb + 3 * i, pixels - i);
+  return counts;
+}
+
+StageCounts split(const RowMatrix* matrix, bool clips, const float* rgb, std::size_t pixels,
+                  float* const (&planes)[3]) {
   const Floats f;
   const std::size_t lanes = hn::Lanes(f);
-  const Float zero = hn::Zero(f);
-  const Float one = hn::Set(f, 1.0F);
-  // as the scalar code's comparisons, which NaN fails
-  const auto held = [&](Float v) {
-    const Float positive = hn::IfThenElseZero(v > zero, v);
-    return hn::IfThenElse(positive > one, one, positive);
-  };
   StageCounts counts;
   std::size_t i = 0;
   for (; i + lanes <= pixels; i += lanes) {
-    Float r, g, b;
-    hn::LoadInterleaved3(f, rgb + 3 * i, r, g, b);
-    const auto below = hn::Or(hn::Or(r < zero, g < zero), b < zero);
-    const auto above = hn::Or(hn::Or(r > one, g > one), b > one);
-    counts.out_of_gamut += hn::CountTrue(f, below);
-    counts.clipped += hn::CountTrue(f, above);
-    hn::StoreInterleaved3(held(r), held(g), held(b), f, rgb + 3 * i);
+    Pixels p = load(rgb + 3 * i);
+    if (matrix != nullptr) {
+      p = matrix->diagonal ? multiplied<true>(*matrix, p) : multiplied<false>(*matrix, p);
+    }
+    if (clips) p = clipped(p, counts);
+    hn::StoreU(p.r, f, planes[0] + i);
+    hn::StoreU(p.g, f, planes[1] + i);
+    hn::StoreU(p.b, f, planes[2] + i);
   }
-  const StageCounts rest = scalar_stage_kernels().clip(rgb + 3 * i, pixels - i);
-  return {counts.out_of_gamut + rest.out_of_gamut, counts.clipped + rest.clipped};
+  float* const rest[3] = {planes[0] + i, planes[1] + i, planes[2] + i};
+  counts += scalar_stage_kernels().split(matrix, clips, rgb + 3 * i, pixels - i, rest);
+  return counts;
 }
 
-StageKernels vector_kernels() { return {hwy::TargetName(HWY_TARGET), multiply, clip}; }
+StageKernels vector_kernels() { return {hwy::TargetName(HWY_TARGET), multiply, clip, split}; }
 
 #endif
 

@@ -175,9 +175,9 @@ void check_ordered(const MixLevels& levels, const char* recipe) {
       for (std::int32_t k = 0; k < kFloats; ++k) {
         in[static_cast<std::size_t>(k)] = std::bit_cast<float>(first + k);
       }
-      detail::scalar_ordered_kernels().grey(row, in.data(), nullptr, kFloats, expected.data());
+      detail::scalar_ordered_kernels().row(row, in.data(), nullptr, kFloats, expected.data());
       for (const detail::OrderedKernels& kernels : detail::simd_ordered_kernels()) {
-        kernels.grey(row, in.data(), nullptr, kFloats, out.data());
+        kernels.row(row, in.data(), nullptr, kFloats, out.data());
         ASSERT_EQ(out, expected) << kernels.name << " rank " << rank << " level " << i;
       }
     }

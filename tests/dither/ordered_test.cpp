@@ -73,22 +73,16 @@ TEST(OrderedKernels, AllInstructionSetsGiveTheSameCodes) {
       }
       const detail::OrderedRow row{&scale, least.data(), period, 5};
       for (const std::size_t size : {1, 7, 61, 4003}) {
-        const std::vector<float> in = hard_row(levels, 3 * size);
+        const std::vector<float> in = hard_row(levels, size);
         std::vector<float> strength(size);
         for (std::size_t i = 0; i < size; ++i) strength[i] = static_cast<float>(i % 11) / 10;
         for (const float* part : std::initializer_list<const float*>{nullptr, strength.data()}) {
           Codes expected(size);
-          Codes expected_rgb(3 * size);
-          detail::scalar_ordered_kernels().grey(row, in.data(), part, size, expected.data());
-          detail::scalar_ordered_kernels().rgb({row, row, row}, in.data(), part, size,
-                                               expected_rgb.data());
+          detail::scalar_ordered_kernels().row(row, in.data(), part, size, expected.data());
           for (const detail::OrderedKernels& kernels : detail::simd_ordered_kernels()) {
             Codes codes(size);
-            kernels.grey(row, in.data(), part, size, codes.data());
+            kernels.row(row, in.data(), part, size, codes.data());
             ASSERT_EQ(codes, expected) << kernels.name;
-            Codes rgb(3 * size);
-            kernels.rgb({row, row, row}, in.data(), part, size, rgb.data());
-            ASSERT_EQ(rgb, expected_rgb) << kernels.name;
           }
         }
       }
@@ -182,22 +176,24 @@ TEST(OrderedDither, KeepsTheToneOfPatches) {
   }
 }
 
-TEST(OrderedDither, TakesInterleavedChannels) {
+TEST(OrderedDither, TakesInterleavedChannelsAndPartsOfRows) {
   const MixLevels levels = srgb_levels(256);
-  const OrderedDither r(levels, make_matrix(*find_matrix_recipe("bayer8")));
-  const OrderedDither g(linear_levels(64), make_matrix(*find_matrix_recipe("d3")));
-  const OrderedDither b(linear_levels(2), make_matrix(*find_matrix_recipe("blue-noise128")));
-  const OrderedDither* const all[3] = {&r, &g, &b};
-  for (const int width : {1, 100, 511, 513, 2000}) {
-    const auto size = static_cast<std::size_t>(width);
-    const std::vector<float> in = hard_row(levels, 3 * size);
-    Codes together(3 * size);
-    OrderedDither::rgb_row(all, in, 77, together);
-    Codes apart(3 * size);
-    for (int c = 0; c < 3; ++c) {
-      all[c]->row({in.data() + c, width, 3}, 77, {apart.data() + c, width, 3});
+  for (const char* recipe : {"d3", "bayer8", "blue-noise128"}) {
+    const OrderedDither dither(levels, make_matrix(*find_matrix_recipe(recipe)));
+    const std::vector<float> in = hard_row(levels, 2000);
+    Codes whole(in.size());
+    dither.row({in.data(), 2000, 1}, 77, {whole.data(), 2000, 1});
+    for (const int step : {1, 3}) {
+      for (const int first : {0, 1, 511, 1990}) {
+        const int count = (2000 - first) / step;
+        Codes part(static_cast<std::size_t>(count));
+        std::vector<float> apart(static_cast<std::size_t>(count * step));
+        for (int x = 0; x < count; ++x)
+          apart[static_cast<std::size_t>(x * step)] = in[static_cast<std::size_t>(first + x)];
+        dither.row({apart.data(), count, step}, 77, {part.data(), count, 1}, {}, first);
+        ASSERT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + first)) << recipe;
+      }
     }
-    ASSERT_EQ(together, apart) << width;
   }
 }
 

@@ -235,12 +235,17 @@ TEST(Run, HandsOnWhatSourceSinkAndObserversThrow) {
 }
 
 TEST(BandRows, AreAMultipleOfTheChunksWithinAFewMegabytes) {
-  EXPECT_EQ(band_rows({.width = 100, .height = 5000}), 256);
-  EXPECT_EQ(band_rows({.width = 100, .height = 5000, .chunk_rows = 100}), 200);
-  EXPECT_EQ(band_rows({.width = 16384, .height = 16384}), 16);  // 3 MiB / 192 KiB
-  EXPECT_EQ(band_rows({.width = 16384, .height = 16384, .chunk_rows = 3}), 15);
-  EXPECT_EQ(band_rows({.width = 16384, .height = 16384, .chunk_rows = 64}), 16);
-  EXPECT_EQ(band_rows({.width = 1 << 20, .height = 9, .chunk_rows = 0}), 1);
+  EXPECT_EQ(band_rows({.width = 100, .height = 5000}, true), 256);
+  EXPECT_EQ(band_rows({.width = 100, .height = 5000, .chunk_rows = 100}, true), 200);
+  EXPECT_EQ(band_rows({.width = 16384, .height = 16384}, true), 16);  // 3 MiB / 192 KiB
+  EXPECT_EQ(band_rows({.width = 16384, .height = 16384, .chunk_rows = 3}, true), 15);
+  EXPECT_EQ(band_rows({.width = 16384, .height = 16384, .chunk_rows = 64}, true), 16);
+  EXPECT_EQ(band_rows({.width = 1 << 20, .height = 9, .chunk_rows = 0}, true), 1);
+  EXPECT_EQ(band_rows({.width = 1 << 20, .height = 9}, false), 1);
+  EXPECT_EQ(band_rows({.width = 3840, .height = 2160}, false), 17);  // 768 KiB / 45 KiB
+  EXPECT_EQ(band_rows({.width = 3840, .height = 2160, .chunk_rows = 16}, false), 16);
+  EXPECT_EQ(band_rows({.width = 3840, .height = 2160, .chunk_rows = 32}, false), 32);
+  EXPECT_EQ(band_rows({.width = 3840, .height = 2160, .chunk_rows = 256}, false), 68);  // 3 MiB
 }
 
 }  // namespace

@@ -175,7 +175,9 @@ TEST(Explain, NamesEveryStageWithItsNumbers) {
 
 TEST(StageKernels, AreTheDefinitionInEveryInstructionSet) {
   const float odd[] = {-kInfinity, -1e-9F, -0.0F, 0, 1e-40F, 0.5F, 1, 1.0000001F, 65504, kInfinity};
-  const float m[3][3] = {{1.2F, -0.3F, 0.1F}, {0.01F, 0.9F, 0.09F}, {-0.5F, 0.2F, 1.3F}};
+  Eigen::Matrix3f full;
+  full << 1.2F, -0.3F, 0.1F, 0.01F, 0.9F, 0.09F, -0.5F, 0.2F, 1.3F;
+  const detail::RowMatrix m({full});
   const detail::StageKernels& scalar = detail::scalar_stage_kernels();
   for (const std::size_t pixels : {1U, 4U, 7U, 16U, 33U, 100U}) {
     std::vector<float> row(3 * pixels);

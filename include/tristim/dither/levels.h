@@ -36,9 +36,6 @@ class NearestLevel {
 
   void row(ChannelRow<const float> in, ChannelRow<std::uint16_t> out) const noexcept;
 
-  /// Whether both choose the same codes.
-  bool operator==(const NearestLevel& other) const noexcept;
-
  private:
   LevelSearch search_;
   std::vector<std::uint16_t> code_;

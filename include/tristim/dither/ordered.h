@@ -18,14 +18,10 @@ class OrderedDither {
  public:
   OrderedDither(const MixLevels& levels, const ThresholdMatrix& matrix);
 
-  /// Row `y` of the picture. `strength`, pixel by pixel, 0 .. 1, draws the thresholds towards half
-  /// way, where the nearest level changes; empty: 1.
+  /// Of row `y` of the picture the pixels from `x` on. `strength`, pixel by pixel, 0 .. 1, draws
+  /// the thresholds towards half way, where the nearest level changes; empty: 1.
   void row(ChannelRow<const float> in, int y, ChannelRow<std::uint16_t> out,
-           std::span<const float> strength = {}) const;
-
-  /// Row `y` of a picture of three interleaved channels, each with a dither of its own.
-  static void rgb_row(const OrderedDither* const (&channels)[3], std::span<const float> in, int y,
-                      std::span<std::uint16_t> out, std::span<const float> strength = {});
+           std::span<const float> strength = {}, int x = 0) const;
 
  private:
   struct State;

@@ -8,7 +8,7 @@
 #include "tristim/dither/palette.h"
 #include "tristim/frame/code.h"
 #include "tristim/palette/metric.h"
-#include "tristim/pipeline/stage.h"
+#include "tristim/pipeline/plan.h"
 
 namespace tristim {
 
@@ -51,17 +51,22 @@ class Reducer {
   /// this at once, in any order.
   void reduce(Band band, ImageView<std::uint16_t> codes, int threads = 1);
 
+  /// Whether prepare() takes the lead of a plan.
+  bool leads() const noexcept;
+
   /// How many parts of reduce() need the bands in order: error diffusion, each channel by itself.
   int chains() const noexcept;
 
   /// reduce() in steps, for those who have several bands under way: prepare() of any bands at once;
   /// then advance() of each chain, which takes the bands in order and may do so beside other chains
-  /// with other bands; then finish(). Up to `threads` threads may help with a band.
-  void prepare(Band band, ImageView<std::uint16_t> codes, int threads = 1);
+  /// with other bands; then finish(). Up to `threads` threads may help with a band. Returns what
+  /// the lead counted.
+  StageCounts prepare(Band band, ImageView<std::uint16_t> codes, const Lead& lead = {},
+                      int threads = 1);
   void advance(int chain, Band band, ImageView<std::uint16_t> codes, int threads = 1);
   void finish(ImageView<std::uint16_t> codes) const;
 
-  /// The step in words.
+  /// The steps in words.
   std::vector<StepReport> explain() const;
 
  private:

@@ -41,7 +41,8 @@ StageCounts run(RowSource& source, std::span<const Stage> stages, Reducer& reduc
                 std::span<BandObserver* const> observers = {}, const RunOptions& options = {});
 
 /// The rows of a band for a picture, a multiple of its chunks where that stays below a few
-/// megabytes.
-int band_rows(const PictureInfo& info) noexcept;
+/// megabytes. Those that go `in_order`, through error diffusion, are of many rows; others stay in a
+/// processor's own cache.
+int band_rows(const PictureInfo& info, bool in_order) noexcept;
 
 }  // namespace tristim

@@ -27,6 +27,11 @@ struct StageCounts {
   std::uint64_t out_of_gamut = 0;  // a channel below 0: no mixture of the device's primaries
   std::uint64_t clipped = 0;       // a channel above 1: brighter than the device's white
   friend constexpr bool operator==(const StageCounts&, const StageCounts&) = default;
+  constexpr StageCounts& operator+=(const StageCounts& other) noexcept {
+    out_of_gamut += other.out_of_gamut;
+    clipped += other.clipped;
+    return *this;
+  }
 };
 
 /// One step of the chain in words, for --explain and reports.
