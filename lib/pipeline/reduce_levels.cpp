@@ -65,6 +65,12 @@ LevelScale channel_scale(const Display& display, const ReduceOptions& options,
                      static_cast<int>(channel));
 }
 
+// Whether it keeps nothing from pixel to pixel, so that channels may share one.
+bool keeps_nothing(const ChannelReducer& channel) noexcept {
+  return std::holds_alternative<NearestLevel>(channel) ||
+         std::holds_alternative<OrderedDither>(channel);
+}
+
 }  // namespace
 
 LevelReducer::LevelReducer(const Display& display, const ReduceOptions& options, int width)
@@ -74,11 +80,18 @@ LevelReducer::LevelReducer(const Display& display, const ReduceOptions& options,
   const int count = display.frame.packing.samples;
   const std::vector<ThresholdMatrix> matrices =
       dither_matrices(options.dither, options.parameters, count);
+  const std::array<int, 3>& bits = display.frame.packing.bits;
   for (int c = 0; c < count; ++c) {
     const auto channel = static_cast<std::size_t>(c);
-    scales_.push_back(channel_scale(display, options, channel));
+    const bool same_scale = c > 0 && has_one_response(display) && bits[channel] == bits[0];
+    scales_.push_back(same_scale ? scales_.front() : channel_scale(display, options, channel));
     const ThresholdMatrix* matrix = matrices.empty() ? nullptr : &matrices[channel];
-    channels_.push_back(channel_reducer(scales_.back(), options, matrix, c, width));
+    const bool same_matrix = matrix == nullptr || matrix->rank == matrices.front().rank;
+    if (same_scale && same_matrix && keeps_nothing(channels_.front())) {
+      channels_.push_back(channels_.front());  // its tables are shared
+    } else {
+      channels_.push_back(channel_reducer(scales_.back(), options, matrix, c, width));
+    }
   }
 }
 
