@@ -13,6 +13,7 @@
 #include "tristim/device/display_file.h"
 #include "tristim/dither/io/matrix_file.h"
 #include "tristim/frame/io/write.h"
+#include "tristim/pipeline/chain.h"
 
 namespace tristim::tools {
 namespace {
@@ -189,6 +190,15 @@ std::vector<Job> jobs_of(const ProcessOptions& options, const Display& device,
   return jobs;
 }
 
+// A press's separations hold where dots of its inks overlap by chance.
+void note_dots_on_dots(const Settings& settings, const Display& device) {
+  if (!device.press || device.press->inks.size() < 2) return;
+  if (!has_one_matrix(reduce_options(device, settings).dither)) return;
+  note(
+      "--dither: note: all inks share one matrix, so their dots fall on one another and prints are "
+      "too light; screen, blue-noise and error diffusion keep the tone");
+}
+
 }  // namespace
 
 void run_process(Arguments arguments) {
@@ -213,6 +223,7 @@ void run_process(Arguments arguments) {
   const Display device = load_display(options.device);
   std::vector<Job> jobs = jobs_of(options, device, pipeline);
   if (jobs.empty()) return;
+  note_dots_on_dots(settings, device);
   if (options.resume) options.force = true;  // a picture that lacks one of its files is made anew
   if (is_animation(options)) return process_animation(options, device, jobs);
   process_sequence(options, device, std::move(jobs));

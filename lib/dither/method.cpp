@@ -38,6 +38,12 @@ std::optional<NamedDither> find_dither(std::string_view name) {
   return NamedDither{std::string(name), *recipe, std::string(recipe->source)};
 }
 
+bool has_one_matrix(const DitherMethod& method) noexcept {
+  const auto* recipe = std::get_if<MatrixRecipe>(&method);
+  return std::holds_alternative<ThresholdMatrix>(method) ||
+         (recipe != nullptr && !recipe->by_channel);
+}
+
 std::vector<ThresholdMatrix> dither_matrices(const DitherMethod& method,
                                              const DitherParameters& parameters, int channels) {
   const auto count = static_cast<std::size_t>(channels);
@@ -51,7 +57,7 @@ std::vector<ThresholdMatrix> dither_matrices(const DitherMethod& method,
   const auto* recipe = std::get_if<MatrixRecipe>(&method);
   if (recipe == nullptr) return {};
   MatrixParameters of_channel{parameters.size, parameters.seed, 0, parameters.frame};
-  if (!recipe->by_channel) return {count, make_matrix(*recipe, of_channel)};
+  if (has_one_matrix(method)) return {count, make_matrix(*recipe, of_channel)};
   std::vector<ThresholdMatrix> matrices;
   for (int channel = 0; channel < channels; ++channel) {
     of_channel.channel = channel;

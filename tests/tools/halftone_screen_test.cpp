@@ -95,5 +95,20 @@ TEST_F(HalftoneScreen, SeparatesPicturesByInk) {
   good("process s.exr --device offset-cmyk -o all.png --proof proof.png");
 }
 
+// One matrix for all inks prints dots on dots, whatever the separation.
+TEST_F(HalftoneScreen, SaysWhereInksShareAMatrix) {
+  write("own.csv", "0,2\n3,1\n");
+  for (const char* shared : {"bayer16", "clustered8", "own.csv"}) {
+    const std::string command = "process s.exr -d offset-cmyk -f -o page.png --dither ";
+    EXPECT_NE(run(command + shared).err.find("all inks share one matrix"), std::string::npos);
+    EXPECT_EQ(run(command + shared + " --quiet").err, "");
+  }
+  for (const char* apart : {"screen", "blue-noise", "floyd-steinberg", "none"}) {
+    const CommandResult result =
+        run(std::string("process s.exr -d offset-cmyk -f -o page.png --dither ") + apart);
+    EXPECT_EQ(result.err.find("all inks"), std::string::npos) << apart;
+  }
+}
+
 }  // namespace
 }  // namespace tristim

@@ -56,6 +56,9 @@ DiffusionOptions diffusion_options(const DiffusionKernel& kernel,
 /// there is none.
 std::optional<NamedDither> find_dither(std::string_view name);
 
+/// Whether one matrix dithers all channels. Dots of inks fall on one another then, not by chance.
+bool has_one_matrix(const DitherMethod& method) noexcept;
+
 /// The matrices that an ordered method dithers with, one for each of `channels` channels; empty for
 /// methods of other kinds. Throws std::invalid_argument for a size or a frame that the method does
 /// not come in.
