@@ -6,7 +6,7 @@ namespace tristim {
 namespace {
 
 std::uint8_t level(int i, int last) {
-  return last == 0 ? 0 : static_cast<std::uint8_t>((i * 255 * 2 + last) / (2 * last));
+  return static_cast<std::uint8_t>(last == 0 ? 0 : (i * 255 * 2 + last) / (2 * last));
 }
 
 std::vector<Color8> levels_of_bits(std::array<int, 3> bits) {
