@@ -99,7 +99,9 @@ IN_PROCESS = (
               "to_palette/colors16_two_threads", threads=2),
         bench("ours", "tristim, 256 colours", "diffusion", "to_palette/colors256"))),
     Work("ordered, to a palette", "RGB, in light", (
-        bench("ours", "tristim, 16 colours", "dither", "ordered_to_palette/16", long=True),)),
+        bench("ours", "tristim, 7 colours", "dither", "ordered_to_palette/7"),
+        bench("ours", "tristim, 16 colours", "dither", "ordered_to_palette/16"),
+        bench("ours", "tristim, 256 colours", "dither", "ordered_to_palette/256"))),
     Work("mask", "void and cluster", tuple(
         bench("ours", f"tristim, {side}x{side}", "dither", f"blue_noise/{side}")
         for side in (128, 256, 512)), pixels=0),
