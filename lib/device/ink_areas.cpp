@@ -1,10 +1,10 @@
 #include "lib/device/ink_areas.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <utility>
 
 namespace tristim::detail {
 namespace {
@@ -16,33 +16,22 @@ constexpr double kOutside = 1e-6;  // of area: what is no more than that out of 
 
 using Three = std::array<double, 3>;
 
+constexpr Eigen::Index kPlaneRow = 3;  // of the equations, behind three lights
+
+constexpr Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
 // One plane of areas, normal * areas = offset. With the three lights it leaves single areas.
 struct AreaPlane {
   InkAreas normal;
   double offset;
 };
 
-// Four linear equations, each row with its right side behind it, by elimination with the largest
-// pivot; false where they have no single solution.
-bool solve(std::array<std::array<double, kInks + 1>, kInks>& rows, InkAreas& solution) {
-  for (std::size_t k = 0; k < kInks; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < kInks; ++i) {
-      if (std::fabs(rows[i][k]) > std::fabs(rows[pivot][k])) pivot = i;
-    }
-    if (!(std::fabs(rows[pivot][k]) > 1e-12)) return false;
-    std::swap(rows[k], rows[pivot]);
-    const double inverse = 1 / rows[k][k];
-    for (std::size_t i = k + 1; i < kInks; ++i) {
-      const double factor = rows[i][k] * inverse;
-      for (std::size_t j = k; j <= kInks; ++j) rows[i][j] -= factor * rows[k][j];
-    }
-  }
-  for (std::size_t k = kInks; k-- > 0;) {
-    double sum = rows[k][kInks];
-    for (std::size_t j = k + 1; j < kInks; ++j) sum -= rows[k][j] * solution[j];
-    solution[k] = sum / rows[k][k];
-  }
+// False where the equations have no single solution.
+bool solve(const Eigen::Matrix4d& factors, const Eigen::Vector4d& right,
+           Eigen::Vector4d& solution) {
+  const Eigen::PartialPivLU<Eigen::Matrix4d> lu(factors);
+  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 1e-12)) return false;
+  solution = lu.solve(right);
   return true;
 }
 
@@ -63,24 +52,23 @@ bool fit_areas(const InkAbsorption& absorbed, const Three& wanted, const AreaPla
   constexpr double kLeast = -20;
   constexpr double kMost = 3;
   for (int round = 0; round < kMostRounds; ++round) {
-    std::array<std::array<double, kInks + 1>, kInks> rows{};
-    double off_plane = plane.offset;
-    for (std::size_t i = 0; i < kInks; ++i) off_plane -= plane.normal[i] * areas[i];
-    double worst = std::fabs(off_plane);
-    std::ranges::copy(plane.normal, rows[kBlack].begin());
-    rows[kBlack][kInks] = off_plane;
+    Eigen::Matrix4d factors;
+    Eigen::Vector4d off;
+    off[kPlaneRow] = plane.offset;
+    for (std::size_t i = 0; i < kInks; ++i) {
+      off[kPlaneRow] -= plane.normal[i] * areas[i];
+      factors(kPlaneRow, at(i)) = plane.normal[i];
+    }
     for (std::size_t j = 0; j < wanted.size(); ++j) {
       const InkAreas without = without_each(absorbed, areas, j);
-      const double light = without[0] * (1 - areas[0] * absorbed[0][j]);
-      rows[j][kInks] = wanted[j] - light;
-      worst = std::max(worst, std::fabs(rows[j][kInks]));
-      for (std::size_t i = 0; i < kInks; ++i) rows[j][i] = -absorbed[i][j] * without[i];
+      off[at(j)] = wanted[j] - without[0] * (1 - areas[0] * absorbed[0][j]);
+      for (std::size_t i = 0; i < kInks; ++i) factors(at(j), at(i)) = -absorbed[i][j] * without[i];
     }
-    if (worst < kGood) return true;
-    InkAreas step{};
-    if (!solve(rows, step)) return false;
+    if (off.cwiseAbs().maxCoeff() < kGood) return true;
+    Eigen::Vector4d step;
+    if (!solve(factors, off, step)) return false;
     for (std::size_t i = 0; i < kInks; ++i) {
-      areas[i] = std::clamp(areas[i] + step[i], kLeast, kMost);
+      areas[i] = std::clamp(areas[i] + step[at(i)], kLeast, kMost);
     }
   }
   return false;
