@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
   try {
     tristim::check_instruction_set();
+    tristim::limit_to_instruction_set();
     tristim::tools::run(arguments);
     return 0;
   } catch (const tristim::Error& error) {

@@ -10,6 +10,8 @@
 #include <hwy/highway.h>
 
 #include <cctype>
+#include <cstddef>
+#include <cstdint>
 
 #include "lib/core/every_target.h"
 #include "lib/core/instruction_set.h"
@@ -56,6 +58,19 @@ void check_instruction_set() {
   throw Error(ErrorKind::kMisuse, "TRISTIM_SIMD",
               "unknown instruction set '" + std::string(wanted) + "'",
               "use one of: " + list_names(instruction_sets()));
+}
+
+void limit_to_instruction_set() {
+  hwy::SetSupportedTargetsForTest(0);  // all
+  const std::string& chosen = chosen_instruction_set().name;
+  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  std::size_t i = 0;
+  while (i < targets.size() && instruction_sets()[i].name != chosen) ++i;
+  if (i == 0) return;
+  // A target is a bit; the lower, the better, those too that nothing was compiled for. What
+  // DisableTargets() switches off, Highway 1.0.3 takes again after the next SupportedTargets().
+  const std::int64_t best = i < targets.size() ? targets[i] : HWY_SCALAR;
+  hwy::SetSupportedTargetsForTest(hwy::SupportedTargets() & ~(best - 1));
 }
 
 }  // namespace tristim

@@ -21,4 +21,9 @@ const InstructionSet& chosen_instruction_set();
 /// one then.
 void check_instruction_set();
 
+/// Has those kernels of the process heed the chosen one, too, that have no definition beside them
+/// and take the best by themselves; with "scalar" what every such processor has. Of other
+/// libraries in the process those that use Highway are limited as well, so this is for programs.
+void limit_to_instruction_set();
+
 }  // namespace tristim
